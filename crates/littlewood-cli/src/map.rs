@@ -60,7 +60,7 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
         sweep_grid(&grid, limits, &targets, Some(&mut add), &workers, &options)?
     };
     if report.complete && outputs.have_picture() {
-        report.complete = outputs.picture.follow(limits, &workers, &options)?;
+        report.complete = outputs.picture.follow(&workers, &options)?;
     }
     let time = began.elapsed();
     drop(bar);

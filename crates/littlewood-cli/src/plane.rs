@@ -80,46 +80,42 @@ impl<'a> Plane<'a> {
             .collect();
         writeln!(writer, "{}", names.join(","))?;
         for (place, summary) in self.summaries.iter().enumerate() {
-            let mut cells: Vec<String> = vec![String::new(); self.axes.len()];
-            let mut rest = place;
-            for (cell, axis) in cells.iter_mut().zip(self.axes).rev() {
-                *cell = axis.value(rest % axis.count()).to_string();
-                rest /= axis.count();
+            for (k, axis) in self.axes.iter().enumerate() {
+                let stride: usize = self.axes[k + 1..].iter().map(Axis::count).product();
+                write!(writer, "{},", axis.value(place / stride % axis.count()))?;
             }
-            cells.extend(
-                SummaryColumn::ALL
-                    .into_iter()
-                    .map(|column| cell(column, summary)),
-            );
-            cells.push(Class::of(summary).to_string());
-            cells.extend(
-                self.derivatives
-                    .iter()
-                    .map(|(_, values)| real(values[place])),
-            );
-            writeln!(writer, "{}", cells.join(","))?;
+            for column in SummaryColumn::ALL {
+                write_cell(writer, column, summary)?;
+                writer.write_all(b",")?;
+            }
+            write!(writer, "{}", Class::of(summary))?;
+            for (_, values) in &self.derivatives {
+                writer.write_all(b",")?;
+                write_real(writer, values[place])?;
+            }
+            writeln!(writer)?;
         }
         Ok(())
     }
 }
 
 /// A value of a summary, codes as words.
-fn cell(column: SummaryColumn, summary: &Summary) -> String {
+fn write_cell(writer: &mut dyn Write, column: SummaryColumn, summary: &Summary) -> io::Result<()> {
     match (column.column_type(), column.of(summary)) {
-        (ColumnType::Outcome, _) => summary.outcome.to_string(),
-        (ColumnType::Sequence, _) => summary.sequence.to_string(),
-        (ColumnType::Flag, SummaryValue::U8(flag)) => (flag != 0).to_string(),
-        (_, SummaryValue::U8(count)) => count.to_string(),
-        (_, SummaryValue::U32(count)) => count.to_string(),
-        (_, SummaryValue::U64(count)) => count.to_string(),
-        (_, SummaryValue::F64(value)) => real(value),
+        (ColumnType::Outcome, _) => write!(writer, "{}", summary.outcome),
+        (ColumnType::Sequence, _) => write!(writer, "{}", summary.sequence),
+        (ColumnType::Flag, SummaryValue::U8(flag)) => write!(writer, "{}", flag != 0),
+        (_, SummaryValue::U8(count)) => write!(writer, "{count}"),
+        (_, SummaryValue::U32(count)) => write!(writer, "{count}"),
+        (_, SummaryValue::U64(count)) => write!(writer, "{count}"),
+        (_, SummaryValue::F64(value)) => write_real(writer, value),
     }
 }
 
-fn real(value: f64) -> String {
+/// A number, which is an empty cell where it has no value.
+fn write_real(writer: &mut dyn Write, value: f64) -> io::Result<()> {
     if value.is_nan() {
-        String::new()
-    } else {
-        value.to_string()
+        return Ok(());
     }
+    write!(writer, "{value}")
 }

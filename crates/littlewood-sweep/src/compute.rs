@@ -189,7 +189,13 @@ impl Workers {
         starts_of_a_hoop: Option<u64>,
         limits: Limits,
     ) -> Result<Columns, ParameterError> {
-        match self.compute_points((points, &[]), starts_of_a_hoop, limits, &Watch::NONE) {
+        let of_slice = Points {
+            count: points.len(),
+            at: &|index| points[index],
+            share_hoop: false,
+            derivatives: &[],
+        };
+        match self.follow_points(of_slice, starts_of_a_hoop, limits, &Watch::NONE) {
             Err(Halt::Refused(refused)) => Err(refused.error),
             // Nobody can cancel it.
             Err(Halt::Cancelled) => Ok(Columns::blank(points.len(), &[])),
@@ -205,7 +211,7 @@ impl Workers {
         limits: Limits,
         key: impl Fn(&Summary) -> u64,
         told: &mut dyn FnMut(u64),
-    ) -> impl FnMut(&[Place]) -> Result<Vec<u64>, ParameterError> {
+    ) -> impl FnMut(&[Place]) -> Result<Option<Vec<u64>>, ParameterError> {
         let mut followed = 0;
         move |places| {
             let points: Vec<_> = places
@@ -215,7 +221,9 @@ impl Workers {
             let columns = self.compute_all(&points, Some(grid.starts_of_a_hoop()), limits)?;
             followed += places.len() as u64;
             told(followed);
-            Ok(columns.summaries().map(|summary| key(&summary)).collect())
+            Ok(Some(
+                columns.summaries().map(|summary| key(&summary)).collect(),
+            ))
         }
     }
 
@@ -239,24 +247,7 @@ impl Workers {
 
     /// Computes points of a run in which each hoop has so many starts, or, where that is not known,
     /// as many as here.
-    pub(crate) fn compute_points(
-        &self,
-        (points, derivatives): (&[Setup], &[DerivativeColumn]),
-        starts_of_a_hoop: Option<u64>,
-        limits: Limits,
-        watch: &Watch<'_>,
-    ) -> Result<Columns, Halt> {
-        let at = |index: usize| points[index];
-        let points = Points {
-            count: points.len(),
-            at: &at,
-            share_hoop: false,
-            derivatives,
-        };
-        self.follow_points(points, starts_of_a_hoop, limits, watch)
-    }
-
-    fn follow_points(
+    pub(crate) fn follow_points(
         &self,
         points: Points<'_>,
         starts_of_a_hoop: Option<u64>,
@@ -296,6 +287,12 @@ impl Workers {
             } in tasks
             {
                 columns.spread(&places, &results);
+            }
+        }
+        // Of two hoops that are asked for in turn neither is prepared again.
+        for known in job.known {
+            if engines.len() < KEPT && engines.iter().all(|other| other.bits != known.bits) {
+                engines.push(known);
             }
         }
         *self.engines.lock().unwrap_or_else(PoisonError::into_inner) = engines;

@@ -8,7 +8,7 @@ use littlewood::tables::{Class, Setup};
 use rayon::prelude::*;
 
 use crate::columns::Columns;
-use crate::compute::{Halt, Refused, Workers};
+use crate::compute::{Halt, Points, Refused, Workers};
 use crate::destination::{Destination, OpenDestination};
 use crate::error::SweepError;
 use crate::options::Options;
@@ -85,8 +85,13 @@ pub(crate) fn run(
                     inputs
                         .into_par_iter()
                         .map(|input| {
-                            let points = (input.points.as_slice(), derivatives.as_slice());
-                            let found = workers.compute_points(
+                            let points = Points {
+                                count: input.points.len(),
+                                at: &|index| input.points[index],
+                                share_hoop: false,
+                                derivatives: &derivatives,
+                            };
+                            let found = workers.follow_points(
                                 points,
                                 starts_of_a_hoop,
                                 limits,

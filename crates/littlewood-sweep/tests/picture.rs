@@ -7,15 +7,16 @@
 )]
 
 use std::f64::consts::PI;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::support::{figure_2, map, workers};
 use littlewood::tables::{Class, Quantity, Setup, SummaryColumn};
 use littlewood::theory::PhasePlane;
-use littlewood::{Hoop, HoopParameters, Limits, Start};
+use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start};
 use littlewood_style::{Curve, Theme, of_class};
 use littlewood_sweep::{
-    Axis, Chunk, Columns, Grid, Options, Picture, PictureError, PictureSize, Shade, SweepError,
-    sweep_grid,
+    Axis, Chunk, Columns, Grid, Options, Picture, PictureError, PictureSize, Progress, Shade,
+    SweepError, sweep_grid,
 };
 
 fn draw(grid: &Grid, shade: Shade, size: PictureSize) -> (Picture, Vec<u8>) {
@@ -113,36 +114,62 @@ fn wrong(picture: &Picture, grid: &Grid) -> f64 {
     wrong.count() as f64 / seen.len() as f64
 }
 
+/// The map of a hoop, its points without the boundaries between them.
+fn of_points(hoop: HoopParameters, count: usize, limits: Limits) -> (Grid, Picture) {
+    let base = Setup::new(hoop, Start::at(0.0, 0.0));
+    let grid = Grid::new(base, map(count).axes().to_vec()).unwrap();
+    let size = PictureSize {
+        width: 600,
+        height: 400,
+    };
+    let mut picture = Picture::new(&grid, limits, Shade::Class, size).unwrap();
+    let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
+    let options = Options::default();
+    sweep_grid(&grid, limits, &[], Some(&mut add), &workers(2), &options).unwrap();
+    (grid, picture)
+}
+
 #[test]
 fn boundaries_are_followed_to_the_pixel() {
-    let (grid, size) = (
-        map(31),
-        PictureSize {
-            width: 600,
-            height: 400,
-        },
-    );
-    let (workers, options) = (workers(2), Options::default());
-    let mut picture = Picture::new(&grid, Limits::until(50.0), Shade::Class, size).unwrap();
-    let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
-    sweep_grid(
-        &grid,
-        Limits::until(50.0),
-        &[],
-        Some(&mut add),
-        &workers,
-        &options,
-    )
-    .unwrap();
-    let before = wrong(&picture, &grid);
+    // Bounces, and jams that go on by the law of restitution, are not seen in the classes.
+    let hoop = figure_2().hoop;
+    let law = RestitutionLaw::Energetic;
+    let bouncing = hoop.with_restitution(0.5, law);
+    let jamming = hoop.with_friction(3.0, 3.0).with_restitution(0.5, law);
+    for hoop in [hoop, bouncing, jamming] {
+        let (grid, mut picture) = of_points(hoop, 31, Limits::until(50.0));
+        let before = wrong(&picture, &grid);
+        assert!(picture.follow(&workers(2), &Options::default()).unwrap());
+        let after = wrong(&picture, &grid);
+        // A corner of a region that reaches less than a cell far is not seen.
+        assert!(before > 0.02 && after < 0.002, "{before} {after}");
+        assert!(!picture.figure(None).unwrap().caption.contains("cells"));
+    }
+}
+
+#[test]
+fn slow_motions_are_followed_in_fewer_cells_and_the_key_says_so() {
+    // Almost without friction a motion slides for thousands of turns.
+    let hoop = figure_2().hoop.with_friction(1e-4, 1e-4);
+    let (_, mut picture) = of_points(hoop, 3, Limits::default());
+    let followed = AtomicU64::new(0);
+    let count = |progress: Progress| {
+        followed.fetch_max(progress.followed, Ordering::Relaxed);
+    };
+    let options = Options {
+        progress: Some(&count),
+        ..Options::default()
+    };
+    assert!(picture.follow(&workers(2), &options).unwrap());
+    // Otherwise there are thousands.
+    let followed = followed.into_inner();
+    assert!((64..2_000).contains(&followed), "{followed}");
+    let figure = picture.figure(None).unwrap();
     assert!(
-        picture
-            .follow(Limits::until(50.0), &workers, &options)
-            .unwrap()
+        figure.caption.contains("boundaries followed in"),
+        "{}",
+        figure.caption
     );
-    let after = wrong(&picture, &grid);
-    // A corner of a region that reaches less than a cell far is not seen.
-    assert!(before > 0.02 && after < 0.002, "{before} {after}");
 }
 
 #[test]

@@ -6,8 +6,9 @@ use littlewood_sweep::{Detail, Lattice, Place, Region, Regions};
 
 fn find(count: [usize; 2], detail: &Detail, key: impl Fn(Place) -> u64) -> Regions {
     let lattice = Lattice::even(count, &key);
-    let mut ask =
-        |places: &[Place]| Ok::<_, Infallible>(places.iter().map(|&place| key(place)).collect());
+    let mut ask = |places: &[Place]| {
+        Ok::<_, Infallible>(Some(places.iter().map(|&place| key(place)).collect()))
+    };
     Regions::find(&lattice, detail, &mut ask).expect("nothing fails")
 }
 
@@ -160,6 +161,31 @@ fn where_all_places_differ_the_work_is_bounded() {
     assert!(asked.get() < 400_000, "{}", asked.get());
     let area: f64 = found.regions.iter().map(|region| region.area).sum();
     assert!((area - 1.0).abs() < 1e-12, "{area}");
+}
+
+#[test]
+fn what_is_not_answered_is_drawn_from_what_is_known() {
+    let key = |[x, y]: Place| u64::from(square([x - 0.5, y - 0.5]) < 0.1) + u64::from(x > 0.6);
+    let lattice = Lattice::even([5, 5], key);
+    let mut cells = Vec::new();
+    for most in [0, 30, 300, 900, 100_000] {
+        let mut asked = 0;
+        let mut ask = |places: &[Place]| {
+            asked += places.len();
+            let keys = || places.iter().map(|&place| key(place)).collect();
+            Ok::<_, Infallible>((asked <= most).then(keys))
+        };
+        let detail = Detail {
+            parts: 16,
+            ..Detail::default()
+        };
+        let found = Regions::find(&lattice, &detail, &mut ask).expect("nothing fails");
+        let area: f64 = found.regions.iter().map(|region| region.area).sum();
+        assert!((area - 1.0).abs() < 1e-12, "{most}: {area}");
+        cells.push(found.cells[0]);
+    }
+    assert!(cells.is_sorted(), "{cells:?}");
+    assert_eq!((cells[0], cells[4]), (4, 64));
 }
 
 #[test]

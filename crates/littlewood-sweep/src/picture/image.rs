@@ -136,6 +136,7 @@ mod tests {
             &Regions {
                 regions: vec![ring],
                 boundaries: Vec::new(),
+                cells: [0; 2],
             },
             [10, 10],
         );

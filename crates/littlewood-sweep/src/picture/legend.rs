@@ -14,6 +14,9 @@ use super::shade::Shade;
 /// An entry: how it is drawn, and what it means.
 pub(super) type Entry = (Mark, String);
 
+/// The least part of the map that has an entry without a point of the grid.
+const SEEN: f64 = 1e-3;
+
 fn with_share(label: &str, share: &str) -> String {
     if share.is_empty() {
         label.to_owned()
@@ -47,13 +50,20 @@ impl Picture {
         let counted = classes
             .iter()
             .map(|&class| (class, self.count(class)))
-            .filter(|(_, count)| *count > 0);
+            .filter(|(class, count)| *count > 0 || self.is_seen(*class));
         counted
             .map(|(class, count)| {
                 let mark = Mark::Fill(of_class(class, Theme::Light));
                 (mark, with_share(class.label(), &self.share(count)))
             })
             .collect()
+    }
+
+    /// Whether a class has a region that is large enough to be looked up, between points of others.
+    fn is_seen(&self, class: Class) -> bool {
+        let key = key_of_class(class);
+        let mut regions = self.regions.regions.iter();
+        regions.any(|region| region.key == key && region.area > SEEN)
     }
 
     fn entries_of_sequences(&self) -> Vec<Entry> {
@@ -99,6 +109,14 @@ impl Picture {
             .filter_map(|(holds, text)| holds.then_some(text))
             .collect();
         (!text.is_empty()).then(|| text.join("; "))
+    }
+
+    /// What the length of motions has limited.
+    pub(super) fn note_of_cells(&self) -> Option<String> {
+        let [right, up] = self.followed_cells?;
+        Some(format!(
+            "boundaries followed in {right} × {up} cells, as motions take long"
+        ))
     }
 
     fn entries_of_scale(&self, scale: Option<&Scale>) -> Vec<Entry> {

@@ -13,14 +13,13 @@ use super::shade::Shade;
 use crate::axis::{Axis, Varies};
 use crate::chunk::Chunk;
 use crate::columns::Columns;
-use crate::compute::{Halt, Workers};
+use crate::compute::Workers;
 use crate::error::SweepError;
 use crate::grid::Grid;
 use crate::options::Options;
-use crate::regions::{Detail, Lattice, Place, Regions};
+use crate::regions::{Lattice, Regions};
 use crate::sweep::sweep_grid;
 use crate::tally::Tally;
-use crate::watch::Ledger;
 #[cfg(feature = "zarr")]
 use crate::zarr::ZarrStore;
 
@@ -45,17 +44,6 @@ impl Default for PictureSize {
 /// Smallest and largest side of a picture.
 const SIDES: [u32; 2] = [300, 10_000];
 
-/// Cells of the lattice in which boundaries are followed, at least: for pixels, and for vectors;
-/// parts of a cell of the grid at most.
-const CELLS: [usize; 2] = [240, 480];
-const PARTS: usize = 64;
-
-/// How closely a boundary is located for pixels, in parts of the map: less than one, which its
-/// middle is within half of. Where boundaries meet, cells are not halved much beyond pixels either:
-/// motions there may have thousands of phases.
-const NEAR: f64 = 5e-4;
-const HALVINGS: u32 = 1;
-
 /// Above all sequences that fit, and below the classes.
 pub(super) const OTHERS: u64 = u64::MAX - 0x1ff;
 
@@ -73,12 +61,15 @@ pub struct Picture {
     pub(super) units: Option<Units>,
     pub(super) has_curves: bool,
     pub(super) has_contours: bool,
-    is_in_vectors: bool,
+    pub(super) is_in_vectors: bool,
     /// Cells to the right and upwards.
     pub(super) counts: [usize; 2],
     pub(super) cells: Vec<Cell>,
     /// The regions of one colour, once their boundaries have been followed.
     pub(super) regions: Regions,
+    /// Cells to the right and upwards in which they were followed, if motions take too long for as
+    /// many as usual.
+    pub(super) followed_cells: Option<[usize; 2]>,
     tally: Tally,
     /// Points of each sequence, for a map of sequences.
     pub(super) sequences: HashMap<u64, u64>,
@@ -145,7 +136,9 @@ impl Picture {
             regions: Regions {
                 regions: Vec::new(),
                 boundaries: Vec::new(),
+                cells: [0; 2],
             },
+            followed_cells: None,
             tally: Tally::default(),
             sequences: HashMap::new(),
             ranking: Vec::new(),
@@ -169,7 +162,7 @@ impl Picture {
         let mut picture = Self::new(grid, limits, shade, size)?;
         let mut add = |chunk: &Chunk, columns: &Columns| picture.add(chunk, columns);
         sweep_grid(grid, limits, &[], Some(&mut add), workers, options)?;
-        picture.follow(limits, workers, options)?;
+        picture.follow(workers, options)?;
         Ok(picture)
     }
 
@@ -231,23 +224,22 @@ impl Picture {
     /// Adds the results of a chunk of the grid.
     pub fn add(&mut self, chunk: &Chunk, columns: &Columns) {
         let axes = [self.grid.axes()[0].count(), self.grid.axes()[1].count()];
+        let sequences = columns.column(SummaryColumn::Sequence);
         for ((i, indices), &class) in chunk.indices().enumerate().zip(columns.classes()) {
             self.tally.add(class, 1);
+            let mut key = of_class(class);
             if self.shade == Shade::Sequence
-                && let SummaryValue::U64(bits) = columns.column(SummaryColumn::Sequence).get(i)
+                && let SummaryValue::U64(bits) = sequences.get(i)
             {
-                *self
-                    .sequences
-                    .entry(key_of_sequence(bits, class))
-                    .or_default() += 1;
+                key = self.key_at(PhaseSequence::from_bits(bits), class);
+                *self.sequences.entry(key).or_default() += 1;
             }
             let [Some(x), Some(y)] = [0, 1].map(|k| cell(indices[k], axes[k], self.counts[k]))
             else {
                 continue;
             };
-            let point = self.grid.point_at(&indices);
-            let number = self.shade.number(&point, columns, i);
-            let key = self.key_at(columns.summary(i).sequence, class);
+            let point = || self.grid.point_at(&indices);
+            let number = self.shade.number(point, columns, i);
             self.cells[y * self.counts[0] + x] = Cell { key, number };
         }
         if self.shade == Shade::Sequence {
@@ -308,22 +300,8 @@ impl Picture {
         if is_other { OTHERS } else { key }
     }
 
-    /// Follows the boundaries between colours as curves: between neighbours of the grid that
-    /// differ, motions are computed. The result does not depend on the number of threads.
-    /// Cancelled, it returns false and leaves the picture as it is, and so it does where not every
-    /// point has been added.
-    ///
-    /// # Errors
-    /// As [`Workers::compute`].
-    pub fn follow(
-        &mut self,
-        limits: Limits,
-        workers: &Workers,
-        options: &Options<'_>,
-    ) -> Result<bool, SweepError> {
-        if self.counts.iter().any(|count| *count < 2) || !self.is_complete() {
-            return Ok(true);
-        }
+    /// The points that have a cell, with what their colours have in common.
+    pub(super) fn lattice(&self) -> Lattice {
         let places = [0, 1].map(|k| {
             let count = self.grid.axes()[k].count();
             let places = (0..self.counts[k]).map(|j| place(j, count, self.counts[k]));
@@ -334,45 +312,7 @@ impl Picture {
             .iter()
             .map(|cell| self.key_of(cell.key))
             .collect();
-        let cells = CELLS[usize::from(self.is_in_vectors)];
-        let wanted = self
-            .counts
-            .iter()
-            .map(|count| cells.div_ceil(count - 1))
-            .max()
-            .unwrap_or(1);
-        let exact = Detail {
-            parts: wanted.next_power_of_two().min(PARTS),
-            ..Detail::default()
-        };
-        let pixels = Detail {
-            width: NEAR,
-            halvings: HALVINGS,
-            ..exact
-        };
-        let detail = if self.is_in_vectors { exact } else { pixels };
-        // Nobody knows how many starts it takes.
-        let ledger = Ledger::new(options, 0, 0);
-        let mut ask = |places: &[Place]| -> Result<Vec<u64>, Halt> {
-            let points: Vec<_> = places
-                .iter()
-                .map(|&place| self.grid.point_between(place))
-                .collect();
-            let starts = Some(self.grid.starts_of_a_hoop());
-            let found = workers.compute_points((&points, &[]), starts, limits, &ledger.watch())?;
-            let rows = found.summaries().zip(found.classes());
-            Ok(rows
-                .map(|(summary, class)| self.key_of(self.key_at(summary.sequence, *class)))
-                .collect())
-        };
-        match Regions::find(&Lattice { places, keys }, &detail, &mut ask) {
-            Ok(found) => {
-                self.regions = found;
-                Ok(true)
-            }
-            Err(Halt::Cancelled) => Ok(false),
-            Err(Halt::Refused(refused)) => Err(refused.error.into()),
-        }
+        Lattice { places, keys }
     }
 
     /// Number of points of a class.

@@ -5,6 +5,7 @@ mod contours;
 mod curves;
 mod error;
 mod figure;
+mod follow;
 mod image;
 mod legend;
 mod map;

@@ -51,10 +51,16 @@ impl Shade {
     }
 
     /// The number that a point has; NaN where there is none, and for what is not on a scale.
-    pub(super) fn number(self, point: &Setup, columns: &Columns, place: usize) -> f64 {
+    pub(super) fn number(
+        self,
+        point: impl FnOnce() -> Setup,
+        columns: &Columns,
+        place: usize,
+    ) -> f64 {
         match self {
             Self::Class | Self::Sequence => f64::NAN,
             Self::EnergyLost => {
+                let point = point();
                 let start =
                     Hoop::new(point.hoop).map_or(f64::NAN, |hoop| hoop.energy_of(&point.start));
                 start

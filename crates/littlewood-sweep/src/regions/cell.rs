@@ -68,50 +68,68 @@ struct Search {
     keys: [u64; 2],
 }
 
-/// A search that has found a narrow range.
-struct EndedSearch {
-    /// The keys before and after it.
-    keys: [u64; 2],
-    /// What is still to be searched on the side.
-    rest: Option<Search>,
+/// The sides of cells while it is found where keys change along them.
+struct Crossings<'a> {
+    spans: &'a [Span],
+    width: f64,
+    sides: Vec<Side>,
+    nodes: &'a mut Vec<Place>,
 }
 
-impl Search {
-    /// Ends a search on a side with some crossings that were found earlier.
-    fn end(&self, span: &Span, earlier: &[Crossing], width: f64) -> EndedSearch {
+impl Crossings<'_> {
+    fn place(&self, side: usize, at: f64) -> Place {
+        let mut place = self.spans[side].ends[0];
+        place[self.spans[side].axis()] = at;
+        place
+    }
+
+    /// Ends a search, and returns what is still to be searched on its side.
+    fn end(&mut self, search: &Search) -> Option<Search> {
+        let Search {
+            side,
+            range,
+            keys: [before, mut after],
+        } = *search;
+        let span = self.spans[side];
         let (end, last) = (span.ends[1][span.axis()], span.keys[1]);
-        let mut keys = self.keys;
         // The keys of a side lead to that of its end.
-        if earlier.len() + 1 == CROSSINGS || self.range[1] + width >= end {
-            keys[1] = last;
+        if self.sides[side].crossings.len() + 1 == CROSSINGS || range[1] + self.width >= end {
+            after = last;
         }
-        let rest = (keys[1] != last).then(|| Self {
-            side: self.side,
-            range: [self.range[1], end],
-            keys: [keys[1], last],
-        });
-        EndedSearch { keys, rest }
+        if before != after {
+            let at = middle(range);
+            self.sides[side].crossings.push(Crossing {
+                node: self.nodes.len(),
+                at,
+                keys: [before, after],
+            });
+            self.nodes.push(self.place(side, at));
+        }
+        (after != last).then(|| Search {
+            side,
+            range: [range[1], end],
+            keys: [after, last],
+        })
     }
 }
 
-/// Finds where keys change along sides, by bisection of all of them at once.
+/// Finds where keys change along sides, by bisection of all of them at once. Where nothing is
+/// answered any more, they change in the middle of what is left.
 pub(super) fn crossed<E>(
     spans: &[Span],
     nodes: &mut Vec<Place>,
     width: f64,
     ask: &mut Ask<'_, E>,
 ) -> Result<Vec<Side>, E> {
-    let mut sides: Vec<Side> = spans
-        .iter()
-        .map(|span| Side {
-            keys: span.keys,
-            crossings: Vec::new(),
-        })
-        .collect();
-    let place = |side: usize, at: f64| {
-        let mut place = spans[side].ends[0];
-        place[spans[side].axis()] = at;
-        place
+    let side = |span: &Span| Side {
+        keys: span.keys,
+        crossings: Vec::new(),
+    };
+    let mut crossings = Crossings {
+        spans,
+        width,
+        sides: spans.iter().map(side).collect(),
+        nodes,
     };
     let mut searches: Vec<Search> = spans
         .iter()
@@ -126,9 +144,17 @@ pub(super) fn crossed<E>(
     while !searches.is_empty() {
         let middles: Vec<Place> = searches
             .iter()
-            .map(|search| place(search.side, middle(search.range)))
+            .map(|search| crossings.place(search.side, middle(search.range)))
             .collect();
-        let keys = ask(&middles)?;
+        let Some(keys) = ask(&middles)? else {
+            while !searches.is_empty() {
+                searches = searches
+                    .iter()
+                    .filter_map(|search| crossings.end(search))
+                    .collect();
+            }
+            break;
+        };
         let mut next = Vec::new();
         for (mut search, key) in searches.into_iter().zip(keys) {
             let at = middle(search.range);
@@ -140,29 +166,17 @@ pub(super) fn crossed<E>(
             }
             if search.range[1] - search.range[0] > width {
                 next.push(search);
-                continue;
+            } else {
+                next.extend(crossings.end(&search));
             }
-            let span = &spans[search.side];
-            let ended = search.end(span, &sides[search.side].crossings, width);
-            let [before, after] = ended.keys;
-            if before != after {
-                let at = middle(search.range);
-                sides[search.side].crossings.push(Crossing {
-                    node: nodes.len(),
-                    at,
-                    keys: ended.keys,
-                });
-                nodes.push(place(search.side, at));
-            }
-            next.extend(ended.rest);
         }
         searches = next;
     }
-    Ok(sides)
+    Ok(crossings.sides)
 }
 
-fn middle([low, high]: [f64; 2]) -> f64 {
-    0.5 * (low + high)
+fn middle(range: [f64; 2]) -> f64 {
+    0.5 * (range[0] + range[1])
 }
 
 /// A rectangle, with its sides below, on the right, above and on the left.
@@ -272,9 +286,11 @@ pub(super) fn segments<E>(
     let mut segments = Vec::new();
     let mut level = cells;
     for left in (0..=halvings).rev() {
+        let is_meeting = |cell: &&Cell| cell.around().len() > 2;
+        let centres: Vec<Place> = level.iter().filter(is_meeting).map(Cell::centre).collect();
+        let is_halved = left > 0 && (1..=MEETING).contains(&centres.len());
+        let keys = if is_halved { ask(&centres)? } else { None };
         let mut meeting = Vec::new();
-        let count = level.iter().filter(|cell| cell.around().len() > 2).count();
-        let left = if count > MEETING { 0 } else { left };
         for cell in level {
             match cell.around()[..] {
                 [] | [_] => {}
@@ -285,7 +301,7 @@ pub(super) fn segments<E>(
                         sides: [sides[1], sides[0]],
                     });
                 }
-                ref around if left == 0 => {
+                ref around if keys.is_none() => {
                     let hub = nodes.len();
                     nodes.push(cell.centre());
                     segments.extend(around.iter().map(|&(node, [before, after])| Segment {
@@ -296,11 +312,7 @@ pub(super) fn segments<E>(
                 _ => meeting.push(cell),
             }
         }
-        if meeting.is_empty() {
-            break;
-        }
-        let centres: Vec<Place> = meeting.iter().map(Cell::centre).collect();
-        let keys = ask(&centres)?;
+        let Some(keys) = keys else { break };
         let spans: Vec<Span> = meeting
             .iter()
             .zip(keys)

@@ -9,8 +9,8 @@ use super::{Ask, Detail, Lattice, Place};
 type Corner = [usize; 2];
 
 /// A lattice between the places of another.
-pub(super) struct Fine<'a> {
-    lattice: &'a Lattice,
+pub(super) struct Fine {
+    lattice: Lattice,
     parts: usize,
     /// Cells to the right and upwards.
     cells: [usize; 2],
@@ -39,14 +39,32 @@ const fn far_end(([x, y], axis): SideName) -> Corner {
     if axis == 0 { [x + 1, y] } else { [x, y + 1] }
 }
 
-impl<'a> Fine<'a> {
-    pub(super) fn new(lattice: &'a Lattice, parts: usize) -> Self {
+impl Fine {
+    pub(super) fn new(lattice: Lattice, parts: usize) -> Self {
         Self {
+            cells: lattice.cells().map(|count| parts * count),
             lattice,
             parts,
-            cells: lattice.cells().map(|count| parts * count),
             between: HashMap::new(),
         }
+    }
+
+    /// With half as many cells to either side, and what is known of their corners.
+    pub(super) fn coarser(self) -> Self {
+        if self.parts == 1 {
+            return Self::new(self.lattice.coarser(), 1);
+        }
+        let known = self.between.into_iter();
+        let kept = known.filter(|(corner, _)| corner.iter().all(|k| k % 2 == 0));
+        Self {
+            between: kept.map(|([x, y], key)| ([x / 2, y / 2], key)).collect(),
+            ..Self::new(self.lattice, self.parts / 2)
+        }
+    }
+
+    /// Cells to the right and upwards.
+    pub(super) const fn cells(&self) -> [usize; 2] {
+        self.cells
     }
 
     /// Where a corner stands among the keys of the lattice, if it is one of its places.
@@ -79,23 +97,25 @@ impl<'a> Fine<'a> {
         })
     }
 
-    /// Asks for the keys of corners that are not known.
+    /// Asks for the keys of corners that are not known; whether they are known then.
     fn learn<E>(
         &mut self,
         corners: impl IntoIterator<Item = Corner>,
         ask: &mut Ask<'_, E>,
-    ) -> Result<(), E> {
+    ) -> Result<bool, E> {
         let wanted: BTreeSet<Corner> = corners
             .into_iter()
             .filter(|corner| !self.is_known(*corner))
             .collect();
         if wanted.is_empty() {
-            return Ok(());
+            return Ok(true);
         }
         let places: Vec<Place> = wanted.iter().map(|&corner| self.place(corner)).collect();
         let keys = ask(&places)?;
-        self.between.extend(wanted.into_iter().zip(keys));
-        Ok(())
+        let is_known = keys.is_some();
+        let known = wanted.into_iter().zip(keys.unwrap_or_default());
+        self.between.extend(known);
+        Ok(is_known)
     }
 
     fn differ(&self, side: SideName) -> bool {
@@ -116,8 +136,8 @@ impl<'a> Fine<'a> {
     }
 
     /// Sides of the fine lattice that a boundary crosses, within those of the lattice whose ends
-    /// differ.
-    fn seeds<E>(&mut self, ask: &mut Ask<'_, E>) -> Result<Vec<SideName>, E> {
+    /// differ; nothing if that takes too long.
+    fn seeds<E>(&mut self, ask: &mut Ask<'_, E>) -> Result<Option<Vec<SideName>>, E> {
         let [columns, rows] = self.lattice.cells();
         let parts = self.parts;
         let mut spans: Vec<(Corner, Corner)> = Vec::new();
@@ -138,7 +158,9 @@ impl<'a> Fine<'a> {
             size /= 2;
             let middle =
                 |(from, to): (Corner, Corner)| [0, 1].map(|k| usize::midpoint(from[k], to[k]));
-            self.learn(spans.iter().map(|&span| middle(span)), ask)?;
+            if !self.learn(spans.iter().map(|&span| middle(span)), ask)? {
+                return Ok(None);
+            }
             let halves = spans
                 .iter()
                 .flat_map(|&span| [(span.0, middle(span)), (middle(span), span.1)]);
@@ -146,15 +168,15 @@ impl<'a> Fine<'a> {
                 .filter(|half| self.key(half.0) != self.key(half.1))
                 .collect();
         }
-        Ok(spans
+        let names = spans
             .into_iter()
-            .map(|(from, to)| (from, usize::from(from[0] == to[0])))
-            .collect())
+            .map(|(from, to)| (from, usize::from(from[0] == to[0])));
+        Ok(Some(names.collect()))
     }
 
-    /// Follows all boundaries; nothing if they run through too many cells.
+    /// Follows all boundaries; nothing if that takes too long, or too many cells.
     pub(super) fn follow<E>(
-        mut self,
+        &mut self,
         detail: &Detail,
         ask: &mut Ask<'_, E>,
     ) -> Result<Option<Followed>, E> {
@@ -192,13 +214,15 @@ impl<'a> Fine<'a> {
     }
 
     /// The cells through which boundaries run, from neighbour to neighbour; nothing if they are too
-    /// many.
+    /// many, or take too long.
     fn crossed_cells<E>(
         &mut self,
         detail: &Detail,
         ask: &mut Ask<'_, E>,
     ) -> Result<Option<BTreeSet<Corner>>, E> {
-        let seeds = self.seeds(ask)?;
+        let Some(seeds) = self.seeds(ask)? else {
+            return Ok(None);
+        };
         let is_coarse = self.parts == 1 && self.cells.iter().all(|count| *count < 4);
         let mut seen: BTreeSet<Corner> = seeds
             .into_iter()
@@ -208,7 +232,9 @@ impl<'a> Fine<'a> {
         let mut front: Vec<Corner> = seen.iter().copied().collect();
         while !front.is_empty() {
             let corners = |[x, y]: Corner| [[x, y], [x + 1, y], [x, y + 1], [x + 1, y + 1]];
-            self.learn(front.iter().copied().flat_map(corners), ask)?;
+            if !self.learn(front.iter().copied().flat_map(corners), ask)? {
+                return Ok(None);
+            }
             let mut next = Vec::new();
             for cell in front {
                 let crossed: Vec<SideName> = sides_of(cell)

@@ -21,8 +21,8 @@ const AT_ONCE: usize = 512;
 /// A place in the unit square: fractions of the way to the right and upwards.
 pub type Place = [f64; 2];
 
-/// What is asked for the keys of places, many at once.
-pub type Ask<'a, E> = dyn FnMut(&[Place]) -> Result<Vec<u64>, E> + 'a;
+/// What is asked for the keys of places, many at once; none where finding them would take too long.
+pub type Ask<'a, E> = dyn FnMut(&[Place]) -> Result<Option<Vec<u64>>, E> + 'a;
 
 /// A lattice on which the keys are known.
 #[derive(Clone, Debug)]
@@ -89,17 +89,21 @@ pub struct Regions {
     pub regions: Vec<Region>,
     /// In an order that depends on nothing but them; the border of the plane is not among them.
     pub boundaries: Vec<Boundary>,
+    /// Cells to the right and upwards in which boundaries were followed.
+    pub cells: [usize; 2],
 }
 
 impl Regions {
-    /// Finds the regions; `ask` is asked for the keys of places, many at once.
+    /// Finds the regions; `ask` is asked for the keys of places, many at once. Once it gives none,
+    /// boundaries are followed in cells whose keys are known, and cross their sides anywhere
+    /// between the ends.
     ///
     /// ```
     /// use littlewood_sweep::{Detail, Lattice, Regions};
     ///
     /// let inside = |[x, y]: [f64; 2]| u64::from((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) < 0.16);
     /// let lattice = Lattice::even([11, 11], |place| inside(place));
-    /// let mut ask = |places: &[[f64; 2]]| Ok::<_, ()>(places.iter().map(|&place| inside(place)).collect());
+    /// let mut ask = |places: &[[f64; 2]]| Ok::<_, ()>(Some(places.iter().map(|&place| inside(place)).collect()));
     /// let found = Regions::find(&lattice, &Detail::default(), &mut ask)?;
     /// assert!((found.regions[1].area - 0.16 * std::f64::consts::PI).abs() < 1e-3);
     /// # Ok::<(), ()>(())
@@ -108,13 +112,11 @@ impl Regions {
     /// # Errors
     /// What `ask` returns.
     pub fn find<E>(lattice: &Lattice, detail: &Detail, ask: &mut Ask<'_, E>) -> Result<Self, E> {
-        let mut lattice = lattice.clone();
-        let mut parts = detail.parts.max(1);
+        let mut fine = Fine::new(lattice.clone(), detail.parts.max(1));
         let followed = loop {
-            match Fine::new(&lattice, parts).follow(detail, ask)? {
+            match fine.follow(detail, ask)? {
                 Some(followed) => break followed,
-                None if parts > 1 => parts /= 2,
-                None => lattice = lattice.coarser(),
+                None => fine = fine.coarser(),
             }
         };
         let Followed {
@@ -127,6 +129,7 @@ impl Regions {
         Ok(Self {
             regions,
             boundaries,
+            cells: fine.cells(),
         })
     }
 
@@ -159,14 +162,10 @@ impl Regions {
         );
         let mut ask = workers.keys_of_places(grid, limits, key, told);
         let mut lattice = Lattice::even(count, |_| 0);
-        let [columns, rows] = &lattice.places;
-        let places: Vec<Place> = rows
-            .iter()
-            .flat_map(|&y| columns.iter().map(move |&x| [x, y]))
-            .collect();
+        let places = lattice.all_places();
         let mut keys = Vec::with_capacity(places.len());
         for some in places.chunks(AT_ONCE) {
-            keys.extend(ask(some)?);
+            keys.extend(ask(some)?.unwrap_or_default());
         }
         lattice.keys = keys;
         Self::find(&lattice, detail, &mut ask)
@@ -182,12 +181,20 @@ impl Lattice {
                 .map(|i| i as f64 / last as f64)
                 .collect::<Vec<f64>>()
         });
-        let keys = places[1]
-            .iter()
-            .flat_map(|&y| places[0].iter().map(move |&x| [x, y]))
-            .map(key)
-            .collect();
-        Self { places, keys }
+        let lattice = Self {
+            places,
+            keys: Vec::new(),
+        };
+        let keys = lattice.all_places().into_iter().map(key).collect();
+        Self { keys, ..lattice }
+    }
+
+    /// All its places, row by row, the lowest first.
+    pub(crate) fn all_places(&self) -> Vec<Place> {
+        let [columns, rows] = &self.places;
+        rows.iter()
+            .flat_map(|&y| columns.iter().map(move |&x| [x, y]))
+            .collect()
     }
 
     /// Cells to the right and upwards.
