@@ -277,61 +277,65 @@ impl<'a> Tangents<'a> {
             at: self.now,
             gap_rate: self.gap_rate,
         });
+        let (Some(end), Some(number)) = (phase.end, phase.ended_by) else {
+            return Ok(None);
+        };
         let motion = self.motion_of(phase);
-        let Some(end) = phase.end else {
-            return Ok(None);
-        };
-        let Some(number) = phase.ended_by else {
-            return Ok(None);
-        };
         let transition = &self.motion.transitions[number];
+        let jump = if transition.cause == Cause::Settle {
+            self.settle(&motion, &end)?
+        } else {
+            self.pass_event(phase, &motion, &end, transition)?
+        };
+        self.now = jump.after;
+        Ok(Some(jump))
+    }
+
+    /// Passes an event other than settling.
+    fn pass_event(
+        &mut self,
+        phase: &Phase,
+        motion: &Motion<Dual>,
+        end: &State,
+        transition: &Transition,
+    ) -> Derivative<EventJump> {
         let elapsed = end.time - phase.start.time;
-        if transition.cause == Cause::Settle {
-            let jump = self.settle(&motion, &end)?;
-            self.now = jump.after;
-            return Ok(Some(jump));
-        }
         // All motions at the time of the event: that of some comes earlier or later.
-        let found = self.propagate(phase, &motion, &[elapsed]).pop();
+        let found = self.propagate(phase, motion, &[elapsed]).pop();
         let point = found
             .unwrap_or(Err(NoDerivative::Singular))?
-            .zip(Point::from(&end), Dual::at);
+            .zip(Point::from(end), Dual::at);
         if !(point.rate.value.is_finite() && point.slip.value.is_finite()) {
             return Err(NoDerivative::Singular);
         }
         let instant = PhaseInstant { point, elapsed };
-        let event = Event::of(transition.cause, &end)?;
-        let later = self.delay(&motion, event, &instant)?;
+        let event = Event::of(transition.cause, end)?;
+        let later = self.delay(motion, event, &instant)?;
         let mut time = self.now.elapsed.at(end.time);
         for (part, later) in time.parts.iter_mut().zip(later) {
             *part += later;
         }
         let mut before = Instant {
             elapsed: time,
-            point: self.to_event(&motion, &point, later),
+            point: self.to_event(motion, &point, later),
         };
         if event == Event::Rest {
             // At the event of each motion, whenever it comes.
             before.point.slip = Dual::constant(0.0);
         }
-        let jump = match &transition.impact {
-            Some(impact) => {
-                let gap_rate = self
-                    .gap_rate_at(&motion, &instant, later)
-                    .at(impact.before.gap_rate / self.pace.value);
-                self.impact(before, gap_rate)?
-            }
-            None => {
-                self.gap_rate = Dual::constant(0.0);
-                EventJump {
-                    before,
-                    after: before,
-                    work: Dual::constant(0.0),
-                }
-            }
-        };
-        self.now = jump.after;
-        Ok(Some(jump))
+        if let Some(impact) = &transition.impact {
+            let gap_rate = self.gap_rate_at(motion, &instant, later);
+            return self.impact(
+                before,
+                gap_rate.at(impact.before.gap_rate / self.pace.value),
+            );
+        }
+        self.gap_rate = Dual::constant(0.0);
+        Ok(EventJump {
+            before,
+            after: before,
+            work: Dual::constant(0.0),
+        })
     }
 
     /// The impact of a landing at a gap rate.
