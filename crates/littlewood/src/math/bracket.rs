@@ -81,7 +81,8 @@ impl RootStep {
     pub(crate) fn by_model(
         at: f64,
         here: (f64, f64, f64),
-        (reach, length): (f64, f64),
+        reach: f64,
+        length: f64,
         model: impl Fn(f64) -> (f64, f64, f64),
     ) -> Self {
         let (mut step, mut is_last) = halley(here, at, length);
@@ -189,7 +190,7 @@ mod tests {
                 let (sin, cos) = libm::sincos(point + step);
                 (sin, cos, -sin)
             };
-            RootStep::by_model(point, model(0.0), (reach, 1.0), model)
+            RootStep::by_model(point, model(0.0), reach, 1.0, model)
         });
         (root, models)
     }

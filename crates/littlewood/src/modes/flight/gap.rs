@@ -225,7 +225,7 @@ impl Gap {
             last = Some(near);
             let here = quantity(at, [near.gap, near.slope, near.curvature, near.jerk]);
             let model = |step| quantity(at + step, near.derivatives(step));
-            RootStep::by_model(at, here, (near.reach(), 1.0 / near.spin), model)
+            RootStep::by_model(at, here, near.reach(), 1.0 / near.spin, model)
         });
         match last {
             Some(near) if (root - near.at).abs() <= near.reach() => {

@@ -69,11 +69,11 @@ impl Event {
     }
 
     /// The size of the terms of the condition.
-    pub(super) fn size<const K: usize>(
+    pub(super) fn size(
         self,
-        plane: &Plane<Dual<K>>,
-        motion: &Motion<Dual<K>>,
-        instant: &PhaseInstant<Dual<K>>,
+        plane: &Plane<Dual>,
+        motion: &Motion<Dual>,
+        instant: &PhaseInstant<Dual>,
     ) -> f64 {
         let PhaseInstant { point: at, elapsed } = *instant;
         let Heavy { mass, h, .. } = plane.body;

@@ -4,7 +4,7 @@
 //! state; the slip and the position of a slide follow from its first integrals. Glides and flights
 //! are in closed form.
 
-use crate::math::number::{Dual, Number};
+use crate::math::number::{Dual, Number, WIDTH};
 use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::math::trig::{Angle, TruncatedSeries};
 use crate::mechanics::{Accelerations, ContactMotion, Loads, RollingLaw, SlidingLaw};
@@ -197,14 +197,14 @@ impl<T: Number> Plane<T> {
     }
 }
 
-impl<const K: usize> Plane<Dual<K>> {
+impl Plane<Dual> {
     /// The state after a time that is the same for all motions.
     pub(super) fn evolve(
         &self,
-        motion: &Motion<Dual<K>>,
-        from: &Point<Dual<K>>,
+        motion: &Motion<Dual>,
+        from: &Point<Dual>,
         elapsed: f64,
-    ) -> Derivative<Point<Dual<K>>> {
+    ) -> Derivative<Point<Dual>> {
         let last = self.evolve_to(motion, from, &[elapsed]).pop();
         last.unwrap_or(Err(NoDerivative::Singular))
     }
@@ -212,10 +212,10 @@ impl<const K: usize> Plane<Dual<K>> {
     /// The states after times that are the same for all motions, and do not decrease.
     pub(super) fn evolve_to(
         &self,
-        motion: &Motion<Dual<K>>,
-        from: &Point<Dual<K>>,
+        motion: &Motion<Dual>,
+        from: &Point<Dual>,
         times: &[f64],
-    ) -> Vec<Derivative<Point<Dual<K>>>> {
+    ) -> Vec<Derivative<Point<Dual>>> {
         match motion {
             Motion::Rolls => {
                 let law = RollingLaw::of_body(&self.body);
@@ -245,15 +245,15 @@ impl<const K: usize> Plane<Dual<K>> {
 
     fn slide_to(
         &self,
-        law: &SlidingLaw<Dual<K>>,
-        from: &Point<Dual<K>>,
+        law: &SlidingLaw<Dual>,
+        from: &Point<Dual>,
         times: &[f64],
-    ) -> Vec<Derivative<Point<Dual<K>>>> {
+    ) -> Vec<Derivative<Point<Dual>>> {
         let series = |place| {
             let series = SlideSeries::new(law, place, from.slip);
             [series.theta, series.theta_rate]
         };
-        let coefficient = |Angle { sin, cos }: Angle<Dual<K>>| law.slip_coefficient(sin, cos);
+        let coefficient = |Angle { sin, cos }: Angle<Dual>| law.slip_coefficient(sin, cos);
         let start = from.theta.angle();
         let path = law.path(
             ContactMotion {
@@ -280,7 +280,7 @@ impl<const K: usize> Plane<Dual<K>> {
             .collect()
     }
 
-    fn fly(&self, from: &Point<Dual<K>>, elapsed: f64) -> Point<Dual<K>> {
+    fn fly(&self, from: &Point<Dual>, elapsed: f64) -> Point<Dual> {
         let Heavy { h, .. } = self.body;
         let (start, theta) = (from.theta.angle(), from.theta + from.rate * elapsed);
         let Angle { sin, cos } = theta.angle();
@@ -297,7 +297,7 @@ impl<const K: usize> Plane<Dual<K>> {
     }
 
     /// The free fall of the particle of a massless hoop.
-    fn glide(&self, from: &Point<Dual<K>>, elapsed: f64) -> Derivative<Point<Dual<K>>> {
+    fn glide(&self, from: &Point<Dual>, elapsed: f64) -> Derivative<Point<Dual>> {
         let h = self.body.h;
         let Angle { sin, cos } = from.theta.angle();
         let rise = -(h * sin * from.rate);
@@ -373,11 +373,11 @@ fn roll_series<T: Number>(
 }
 
 /// Follows series of θ and θ′ to times that do not decrease.
-fn in_steps<const K: usize>(
-    from: &Point<Dual<K>>,
+fn in_steps(
+    from: &Point<Dual>,
     times: &[f64],
-    series: impl Fn(PhasePoint<Dual<K>>) -> [Series<Dual<K>>; 2],
-) -> impl Iterator<Item = Derivative<PhasePoint<Dual<K>>>> {
+    series: impl Fn(PhasePoint<Dual>) -> [Series<Dual>; 2],
+) -> impl Iterator<Item = Derivative<PhasePoint<Dual>>> {
     let mut found = Vec::with_capacity(times.len());
     let mut place = PhasePoint {
         theta: from.theta,
@@ -420,9 +420,9 @@ fn in_steps<const K: usize>(
 
 /// The step on which a series and its derivatives converge to rounding, by the rule of
 /// [`SlideSeries::reach`].
-fn reach<const K: usize>(rate: &Series<Dual<K>>) -> f64 {
-    let all =
-        (0..=K).map(|k| -> Series { rate.map(|c| if k == K { c.value } else { c.parts[k] }) });
+fn reach(rate: &Series<Dual>) -> f64 {
+    let all = (0..=WIDTH)
+        .map(|k| -> Series { rate.map(|c| if k == WIDTH { c.value } else { c.parts[k] }) });
     all.map(|series| {
         if !series[DEGREE].is_finite() {
             return 0.0;

@@ -24,6 +24,7 @@ mod tangents;
 
 use thiserror::Error;
 
+use crate::math::number::WIDTH;
 use crate::model::{Quantity, State, getters, named};
 use crate::modes::Recurrence;
 use crate::motion::columns::SummaryColumn;
@@ -161,13 +162,9 @@ impl Trajectory {
         for quantity in quantities {
             self.check_quantity(*quantity)?;
         }
-        in_groups(
-            quantities,
-            &mut Events {
-                motion: self,
-                all: &mut all,
-            },
-        );
+        for group in quantities.chunks(WIDTH) {
+            self.add_derivatives(group, &mut all);
+        }
         Ok(all)
     }
 
@@ -190,19 +187,27 @@ impl Trajectory {
             .iter()
             .map(|time| is_within(*time).then(Vec::new))
             .collect();
-        let mut order: Vec<(f64, usize)> = (0..times.len())
+        let mut order: Vec<usize> = (0..times.len())
             .filter(|place| found[*place].is_some())
-            .map(|place| (times[place], place))
             .collect();
-        order.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-        in_groups(
-            quantities,
-            &mut Instants {
-                motion: self,
-                order,
-                found: &mut found,
-            },
-        );
+        order.sort_by(|one, other| times[*one].total_cmp(&times[*other]));
+        let sorted: Vec<f64> = order.iter().map(|place| times[*place]).collect();
+        for group in quantities.chunks(WIDTH) {
+            let mut walk = Tangents::new(self, group);
+            for (place, at) in order.iter().zip(walk.instants(&sorted)) {
+                let states =
+                    walk.by_quantity(at, |InstantOfPhase { at, gap }, k| InstantDerivative {
+                        state: State {
+                            time: 0.0,
+                            ..walk.state(&at, k)
+                        },
+                        gap: gap.parts[k],
+                    });
+                found[*place]
+                    .iter_mut()
+                    .for_each(|found| found.extend(&states));
+            }
+        }
         Ok(found)
     }
 
@@ -215,72 +220,14 @@ impl Trajectory {
             Err(NotDifferentiable { quantity })
         }
     }
-}
 
-/// Work that is done for K quantities at a time, of which the first ones are asked for.
-trait Group {
-    fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize);
-}
-
-/// Four quantities at a time share the series of the state. Two or three take the code of four,
-/// with the last again: the page has no room for more.
-fn in_groups(quantities: &[Quantity], work: &mut impl Group) {
-    for group in quantities.chunks(4) {
-        match group {
-            [one] => work.add(&[*one], 1),
-            [_, .., last] => {
-                let padded = core::array::from_fn(|k| *group.get(k).unwrap_or(last));
-                work.add::<4>(&padded, group.len());
-            }
-            [] => {}
-        }
-    }
-}
-
-/// The derivatives at times in ascending order, each with its place.
-struct Instants<'a> {
-    motion: &'a Trajectory,
-    order: Vec<(f64, usize)>,
-    found: &'a mut [Option<Vec<Derivative<InstantDerivative>>>],
-}
-
-impl Group for Instants<'_> {
-    fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize) {
-        let Self {
-            motion,
-            order,
-            found,
-        } = self;
-        let mut walk = Tangents::new(motion, quantities, asked);
-        let times: Vec<f64> = order.iter().map(|(time, _)| *time).collect();
-        let instants = walk.instants(&times);
-        for ((_, place), at) in order.iter().zip(instants) {
-            let states = walk.by_quantity(at, |InstantOfPhase { at, gap }, k| InstantDerivative {
-                state: State {
-                    time: 0.0,
-                    ..walk.state(&at, k)
-                },
-                gap: gap.parts[k],
-            });
-            found[*place]
-                .iter_mut()
-                .for_each(|found| found.extend(&states));
-        }
-    }
-}
-
-struct Events<'a> {
-    motion: &'a Trajectory,
-    all: &'a mut Derivatives,
-}
-
-impl Group for Events<'_> {
-    fn add<const K: usize>(&mut self, quantities: &[Quantity; K], asked: usize) {
-        let Self { motion, all } = self;
-        let mut walk = Tangents::new(motion, quantities, asked);
+    /// Adds the derivatives with respect to a group of quantities, which share the series of the
+    /// state.
+    fn add_derivatives(&self, group: &[Quantity], all: &mut Derivatives) {
+        let mut walk = Tangents::new(self, group);
         let mut failed = None;
-        let mut passed = vec![None; motion.transitions.len()];
-        for phase in &motion.phases {
+        let mut passed = vec![None; self.transitions.len()];
+        for phase in &self.phases {
             match walk.pass_phase(phase) {
                 Ok(event) => {
                     if let (Some(number), Some(event)) = (phase.ended_by, event) {

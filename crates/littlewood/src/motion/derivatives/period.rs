@@ -12,21 +12,21 @@ use super::flow::Point;
 const TOLERANCE: f64 = 1e-2 * TAIL_TOLERANCE;
 
 /// An angle on an orbit of rolling, at which the integrand √(D/G) is evaluated.
-struct Node<const K: usize> {
+struct Node {
     /// The angle from which G is followed, and the angle turned from there.
-    from: Dual<K>,
-    by: Dual<K>,
+    from: Dual,
+    by: Dual,
     /// G at `from`.
     start: f64,
     /// D and G at the angle.
-    inertia: Dual<K>,
-    twice_kinetic: Dual<K>,
+    inertia: Dual,
+    twice_kinetic: Dual,
 }
 
-impl<const K: usize> Node<K> {
+impl Node {
     /// The rounding of √(D/G), as a part of it: that of the terms of G, and of D, whose angles are
     /// rounded themselves.
-    fn rounding(&self, law: &RollingLaw<Dual<K>>) -> f64 {
+    fn rounding(&self, law: &RollingLaw<Dual>) -> f64 {
         let [offset, mass, tilt] = [law.offset, law.mass, law.tilt].map(|it| it.value.abs());
         let [from, by] = [self.from, self.by].map(Dual::value);
         let (turned, angle) = (by.abs(), from.abs() + by.abs());
@@ -38,11 +38,7 @@ impl<const K: usize> Node<K> {
 }
 
 /// The turning point at an angle, which has the energy of a state.
-pub(super) fn turning_point<const K: usize>(
-    law: &RollingLaw<Dual<K>>,
-    from: &Point<Dual<K>>,
-    theta: f64,
-) -> Dual<K> {
+pub(super) fn turning_point(law: &RollingLaw<Dual>, from: &Point<Dual>, theta: f64) -> Dual {
     let kinetic = law.denominator_of(from.theta.angle()) * 0.5 * from.rate * from.rate;
     let energy = law.energy_of(kinetic, from.theta, from.theta.angle());
     let at = Dual::constant(theta);
@@ -64,10 +60,7 @@ pub(super) fn turning_point<const K: usize>(
 /// ```
 ///
 /// whose integrand is smooth.
-pub(super) fn of_libration<const K: usize>(
-    law: &RollingLaw<Dual<K>>,
-    turning_points: [Dual<K>; 2],
-) -> Dual<K> {
+pub(super) fn of_libration(law: &RollingLaw<Dual>, turning_points: [Dual; 2]) -> Dual {
     let [a, b] = turning_points;
     let width = b - a;
     let integrand = |psi: f64| {
@@ -96,10 +89,7 @@ pub(super) fn of_libration<const K: usize>(
 }
 
 /// The time of a turn on a level plane, ∫ √(D/G) dθ.
-pub(super) fn of_rotation<const K: usize>(
-    law: &RollingLaw<Dual<K>>,
-    from: &Point<Dual<K>>,
-) -> Dual<K> {
+pub(super) fn of_rotation(law: &RollingLaw<Dual>, from: &Point<Dual>) -> Dual {
     let start = law.denominator_of(from.theta.angle()) * from.rate * from.rate;
     let integrand = |theta: f64| {
         let by = -from.theta + theta;

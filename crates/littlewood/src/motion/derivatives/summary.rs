@@ -1,6 +1,6 @@
 //! The derivatives of the numbers of a summary.
 
-use crate::math::number::{Dual, Number};
+use crate::math::number::{Dual, Number, WIDTH};
 use crate::model::Mode;
 use crate::modes::PhaseSolution;
 use crate::motion::columns::{DerivativeColumn, SummaryColumn, SummaryValue};
@@ -38,16 +38,16 @@ impl Trajectory {
 }
 
 /// A motion whose phases are passed: its events, and its end.
-pub(super) struct PassedMotion<'a, const K: usize> {
-    pub(super) walk: &'a Tangents<'a, K>,
+pub(super) struct PassedMotion<'a> {
+    pub(super) walk: &'a Tangents<'a>,
     /// The event of each transition, up to one without a derivative.
-    pub(super) events: &'a [Option<EventJump<K>>],
-    pub(super) end: Derivative<Instant<K>>,
+    pub(super) events: &'a [Option<EventJump>],
+    pub(super) end: Derivative<Instant>,
 }
 
-impl<const K: usize> PassedMotion<'_, K> {
+impl PassedMotion<'_> {
     /// The numbers of [`SummaryColumn::reals`].
-    pub(super) fn numbers(&self) -> Vec<Derivative<Dual<K>>> {
+    pub(super) fn numbers(&self) -> Vec<Derivative<Dual>> {
         let summary = self.walk.motion.summary();
         SummaryColumn::reals()
             .map(|column| {
@@ -62,7 +62,7 @@ impl<const K: usize> PassedMotion<'_, K> {
             .collect()
     }
 
-    fn number(&self, column: SummaryColumn) -> Derivative<Dual<K>> {
+    fn number(&self, column: SummaryColumn) -> Derivative<Dual> {
         let walk = self.walk;
         match column {
             SummaryColumn::EndTime => self.end_number(0),
@@ -114,14 +114,14 @@ impl<const K: usize> PassedMotion<'_, K> {
     }
 
     /// The event of a transition.
-    fn event(&self, number: Option<usize>) -> Derivative<EventJump<K>> {
+    fn event(&self, number: Option<usize>) -> Derivative<EventJump> {
         number
             .and_then(|number| self.events[number])
             .ok_or_else(|| self.missing())
     }
 
     /// The start of a phase.
-    fn begun(&self, number: Option<usize>) -> Derivative<&Begun<K>> {
+    fn begun(&self, number: Option<usize>) -> Derivative<&Begun> {
         number
             .and_then(|number| self.walk.begun.get(number))
             .ok_or_else(|| self.missing())
@@ -140,11 +140,11 @@ impl<const K: usize> PassedMotion<'_, K> {
         phases.position(|phase| phase.ended_by == Some(landing))
     }
 
-    fn end_number(&self, place: usize) -> Derivative<Dual<K>> {
+    fn end_number(&self, place: usize) -> Derivative<Dual> {
         Ok(self.walk.numbers(&self.end?)[place])
     }
 
-    fn energy(&self) -> Derivative<Dual<K>> {
+    fn energy(&self) -> Derivative<Dual> {
         let Trajectory {
             transitions,
             phases,
@@ -167,7 +167,7 @@ impl<const K: usize> PassedMotion<'_, K> {
         }
     }
 
-    fn jump_height(&self) -> Derivative<Dual<K>> {
+    fn jump_height(&self) -> Derivative<Dual> {
         let number = self.jump();
         let begun = self.begun(number)?;
         let solution = number.map(|number| &self.walk.motion.phases[number].solution);
@@ -187,9 +187,9 @@ impl<const K: usize> PassedMotion<'_, K> {
     }
 }
 
-const fn absent<const K: usize>() -> Dual<K> {
+const fn absent() -> Dual {
     Dual {
         value: f64::NAN,
-        parts: [f64::NAN; K],
+        parts: [f64::NAN; WIDTH],
     }
 }

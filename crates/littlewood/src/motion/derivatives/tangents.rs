@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-use crate::math::number::{Dual, Number};
+use crate::math::number::{Dual, Number, WIDTH};
 use crate::mechanics::{
     BounceConditions, Bounces, Clearance, Contact, ContactMotion, ContactVelocities, Impact,
     RollingLaw, contact, energy_of,
@@ -18,58 +18,61 @@ use super::{Derivative, NoDerivative, period};
 
 /// A state with the time since the start of the motion, in the units of the solvers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Instant<const K: usize> {
-    pub(super) elapsed: Dual<K>,
-    pub(super) point: Point<Dual<K>>,
+pub(super) struct Instant {
+    pub(super) elapsed: Dual,
+    pub(super) point: Point<Dual>,
 }
 
 /// An instant of a phase, and the gap there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct InstantOfPhase<const K: usize> {
-    pub(super) at: Instant<K>,
-    pub(super) gap: Dual<K>,
+pub(super) struct InstantOfPhase {
+    pub(super) at: Instant,
+    pub(super) gap: Dual,
 }
 
 /// The start of a phase, and the rate at which the gap opens there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Begun<const K: usize> {
-    pub(super) at: Instant<K>,
-    pub(super) gap_rate: Dual<K>,
+pub(super) struct Begun {
+    pub(super) at: Instant,
+    pub(super) gap_rate: Dual,
 }
 
 /// The states before and after an event, and the work of its impacts.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct EventJump<const K: usize> {
-    pub(super) before: Instant<K>,
-    pub(super) after: Instant<K>,
-    pub(super) work: Dual<K>,
+pub(super) struct EventJump {
+    pub(super) before: Instant,
+    pub(super) after: Instant,
+    pub(super) work: Dual,
 }
 
-/// The derivatives of a motion with respect to K quantities, while its phases are passed.
-pub(super) struct Tangents<'a, const K: usize> {
-    /// The first of the K, which are asked for.
-    asked: Vec<Quantity>,
+/// The derivatives of a motion with respect to some quantities, while its phases are passed.
+pub(super) struct Tangents<'a> {
+    /// At most [`WIDTH`].
+    quantities: Vec<Quantity>,
     pub(super) motion: &'a Trajectory,
-    pub(super) plane: Plane<Dual<K>>,
-    restitution: Option<Restitution<Dual<K>>>,
+    pub(super) plane: Plane<Dual>,
+    restitution: Option<Restitution<Dual>>,
     /// √cos α, the unit of velocity.
-    pace: Dual<K>,
+    pace: Dual,
     /// Time and x of the start.
-    origin: [Dual<K>; 2],
-    now: Instant<K>,
+    origin: [Dual; 2],
+    now: Instant,
     /// Rate of the gap after the last impact or at the start.
-    pub(super) gap_rate: Dual<K>,
-    pub(super) begun: Vec<Begun<K>>,
+    pub(super) gap_rate: Dual,
+    pub(super) begun: Vec<Begun>,
     /// Time of the first jam without a motion before it: it ends no phase, and is not
     /// differentiated.
     jam: Option<f64>,
 }
 
-impl<'a, const K: usize> Tangents<'a, K> {
-    pub(super) fn new(motion: &'a Trajectory, quantities: &[Quantity; K], asked: usize) -> Self {
+impl<'a> Tangents<'a> {
+    pub(super) fn new(motion: &'a Trajectory, quantities: &[Quantity]) -> Self {
         let seed = |quantity: Quantity, value: f64| Dual {
             value,
-            parts: quantities.map(|it| if it == quantity { 1.0 } else { 0.0 }),
+            parts: core::array::from_fn(|k| {
+                let is_this = quantities.get(k) == Some(&quantity);
+                f64::from(u8::from(is_this))
+            }),
         };
         let parameters = motion.hoop.parameters();
         let slope = seed(Quantity::Slope, parameters.slope);
@@ -91,7 +94,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         };
         let rise = motion.phases.first().map_or(0.0, Phase::take_off_rate);
         Self {
-            asked: quantities[..asked].to_vec(),
+            quantities: quantities.to_vec(),
             motion,
             plane: Plane {
                 body,
@@ -127,7 +130,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         derivative: Derivative<D>,
         part: impl Fn(D, usize) -> P,
     ) -> Vec<Derivative<P>> {
-        let quantities = self.asked.iter().enumerate();
+        let quantities = self.quantities.iter().enumerate();
         quantities
             .map(|(k, quantity)| {
                 if self.one_sided(*quantity) {
@@ -149,17 +152,17 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// A time in the units of the results.
-    pub(super) fn time(&self, at: &Instant<K>) -> Dual<K> {
+    pub(super) fn time(&self, at: &Instant) -> Dual {
         self.origin[0] + at.elapsed / self.pace
     }
 
     /// A difference of energies in the units of the results.
-    pub(super) fn difference(&self, energy: Dual<K>) -> Dual<K> {
+    pub(super) fn difference(&self, energy: Dual) -> Dual {
         energy * self.pace * self.pace
     }
 
     /// The energy in the units of the results.
-    pub(super) fn energy(&self, at: &Point<Dual<K>>, gap_rate: Dual<K>) -> Dual<K> {
+    pub(super) fn energy(&self, at: &Point<Dual>, gap_rate: Dual) -> Dual {
         let Heavy { mass, tilt, .. } = self.plane.body;
         let energy = energy_of(
             &self.plane.body,
@@ -178,7 +181,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// The numbers of a state in the units of the results, in the order of [`State::COLUMNS`].
-    pub(super) fn numbers(&self, at: &Instant<K>) -> [Dual<K>; 5] {
+    pub(super) fn numbers(&self, at: &Instant) -> [Dual; 5] {
         [
             self.time(at),
             at.point.theta,
@@ -189,7 +192,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// The derivative of a state in the units of the results.
-    pub(super) fn state(&self, at: &Instant<K>, k: usize) -> State {
+    pub(super) fn state(&self, at: &Instant, k: usize) -> State {
         let [time, theta, theta_rate, slip, x] = self.numbers(at).map(|number| number.parts[k]);
         State {
             time,
@@ -200,7 +203,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         }
     }
 
-    fn motion_of(&self, phase: &Phase) -> Motion<Dual<K>> {
+    fn motion_of(&self, phase: &Phase) -> Motion<Dual> {
         match &phase.solution {
             PhaseSolution::Rolling(_) => Motion::Rolls,
             PhaseSolution::Sliding(slide) => Motion::Slides(slide.direction()),
@@ -225,12 +228,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// Moves a state to the instant at which a condition with these derivatives vanishes.
-    fn to_event(
-        &self,
-        motion: &Motion<Dual<K>>,
-        at: &Point<Dual<K>>,
-        by: [f64; K],
-    ) -> Point<Dual<K>> {
+    fn to_event(&self, motion: &Motion<Dual>, at: &Point<Dual>, by: [f64; WIDTH]) -> Point<Dual> {
         let rates = self.plane.rates(motion, at);
         at.zip(rates, |number, rate| Dual {
             value: number.value,
@@ -242,9 +240,9 @@ impl<'a, const K: usize> Tangents<'a, K> {
     fn propagate(
         &self,
         phase: &Phase,
-        motion: &Motion<Dual<K>>,
+        motion: &Motion<Dual>,
         times: &[f64],
-    ) -> Vec<Derivative<Point<Dual<K>>>> {
+    ) -> Vec<Derivative<Point<Dual>>> {
         let from = &self.now.point;
         let longest = times.last().copied().unwrap_or(0.0);
         let recurrence = self.recurrence(phase, longest);
@@ -280,71 +278,75 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// Passes a phase and the event that ends it.
-    pub(super) fn pass_phase(&mut self, phase: &Phase) -> Derivative<Option<EventJump<K>>> {
+    pub(super) fn pass_phase(&mut self, phase: &Phase) -> Derivative<Option<EventJump>> {
         self.begin(phase)?;
         self.begun.push(Begun {
             at: self.now,
             gap_rate: self.gap_rate,
         });
+        let (Some(end), Some(number)) = (phase.end, phase.ended_by) else {
+            return Ok(None);
+        };
         let motion = self.motion_of(phase);
-        let Some(end) = phase.end else {
-            return Ok(None);
-        };
-        let Some(number) = phase.ended_by else {
-            return Ok(None);
-        };
         let transition = &self.motion.transitions[number];
+        let jump = if transition.cause == Cause::Settle {
+            self.settle(&motion, &end)?
+        } else {
+            self.pass_event(phase, &motion, &end, transition)?
+        };
+        self.now = jump.after;
+        Ok(Some(jump))
+    }
+
+    /// Passes an event other than settling.
+    fn pass_event(
+        &mut self,
+        phase: &Phase,
+        motion: &Motion<Dual>,
+        end: &State,
+        transition: &Transition,
+    ) -> Derivative<EventJump> {
         let elapsed = end.time - phase.start.time;
-        if transition.cause == Cause::Settle {
-            let jump = self.settle(&motion, &end)?;
-            self.now = jump.after;
-            return Ok(Some(jump));
-        }
         // All motions at the time of the event: that of some comes earlier or later.
-        let found = self.propagate(phase, &motion, &[elapsed]).pop();
+        let found = self.propagate(phase, motion, &[elapsed]).pop();
         let point = found
             .unwrap_or(Err(NoDerivative::Singular))?
-            .zip(Point::from(&end), Dual::at);
+            .zip(Point::from(end), Dual::at);
         if !(point.rate.value.is_finite() && point.slip.value.is_finite()) {
             return Err(NoDerivative::Singular);
         }
         let instant = PhaseInstant { point, elapsed };
-        let event = Event::of(transition.cause, &end)?;
-        let later = self.delay(&motion, event, &instant)?;
+        let event = Event::of(transition.cause, end)?;
+        let later = self.delay(motion, event, &instant)?;
         let mut time = self.now.elapsed.at(end.time);
         for (part, later) in time.parts.iter_mut().zip(later) {
             *part += later;
         }
         let mut before = Instant {
             elapsed: time,
-            point: self.to_event(&motion, &point, later),
+            point: self.to_event(motion, &point, later),
         };
         if event == Event::Rest {
             // At the event of each motion, whenever it comes.
             before.point.slip = Dual::constant(0.0);
         }
-        let jump = match &transition.impact {
-            Some(impact) => {
-                let gap_rate = self
-                    .gap_rate_at(&motion, &instant, later)
-                    .at(impact.before.gap_rate / self.pace.value);
-                self.impact(before, gap_rate)?
-            }
-            None => {
-                self.gap_rate = Dual::constant(0.0);
-                EventJump {
-                    before,
-                    after: before,
-                    work: Dual::constant(0.0),
-                }
-            }
-        };
-        self.now = jump.after;
-        Ok(Some(jump))
+        if let Some(impact) = &transition.impact {
+            let gap_rate = self.gap_rate_at(motion, &instant, later);
+            return self.impact(
+                before,
+                gap_rate.at(impact.before.gap_rate / self.pace.value),
+            );
+        }
+        self.gap_rate = Dual::constant(0.0);
+        Ok(EventJump {
+            before,
+            after: before,
+            work: Dual::constant(0.0),
+        })
     }
 
     /// The impact of a landing at a gap rate.
-    fn impact(&mut self, before: Instant<K>, gap_rate: Dual<K>) -> Derivative<EventJump<K>> {
+    fn impact(&mut self, before: Instant, gap_rate: Dual) -> Derivative<EventJump> {
         let Some(restitution) = self.restitution else {
             return Err(NoDerivative::Singular);
         };
@@ -359,7 +361,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// The states about an impact, or about the sum of those by which a hoop settles.
-    fn jump(&mut self, before: Instant<K>, impact: &Impact<Dual<K>>) -> EventJump<K> {
+    fn jump(&mut self, before: Instant, impact: &Impact<Dual>) -> EventJump {
         self.gap_rate = impact.after.gap_rate;
         let after = Instant {
             point: Point {
@@ -379,10 +381,10 @@ impl<'a, const K: usize> Tangents<'a, K> {
     /// The derivatives of the time of an event, from the state at its time.
     fn delay(
         &self,
-        motion: &Motion<Dual<K>>,
+        motion: &Motion<Dual>,
         event: Event,
-        instant: &PhaseInstant<Dual<K>>,
-    ) -> Derivative<[f64; K]> {
+        instant: &PhaseInstant<Dual>,
+    ) -> Derivative<[f64; WIDTH]> {
         let condition = event.condition(&self.plane, motion, instant);
         let (rate, curvature) = self.rate_of(motion, event, instant);
         // To second order the condition falls below zero by as much: less than the rounding of what
@@ -398,9 +400,9 @@ impl<'a, const K: usize> Tangents<'a, K> {
     /// The rate of a condition along the motion, and the size of its second derivative.
     fn rate_of(
         &self,
-        motion: &Motion<Dual<K>>,
+        motion: &Motion<Dual>,
         event: Event,
-        instant: &PhaseInstant<Dual<K>>,
+        instant: &PhaseInstant<Dual>,
     ) -> (f64, f64) {
         let at = &instant.point;
         if let Motion::Flies(flight) = motion {
@@ -410,8 +412,8 @@ impl<'a, const K: usize> Tangents<'a, K> {
         }
         // The rate is the gradient of the condition, over a point whose four numbers vary, times
         // the rates of these numbers. In contact no condition depends on the motion.
-        let variable = |number: Dual<K>, place: usize| {
-            let mut variable = Dual::<4>::constant(number.value);
+        let variable = |number: Dual, place: usize| {
+            let mut variable = Dual::constant(number.value);
             variable.parts[place] = 1.0;
             variable
         };
@@ -441,10 +443,10 @@ impl<'a, const K: usize> Tangents<'a, K> {
     /// The rate of the gap at an event of a flight; zero in contact.
     fn gap_rate_at(
         &self,
-        motion: &Motion<Dual<K>>,
-        instant: &PhaseInstant<Dual<K>>,
-        later: [f64; K],
-    ) -> Dual<K> {
+        motion: &Motion<Dual>,
+        instant: &PhaseInstant<Dual>,
+        later: [f64; WIDTH],
+    ) -> Dual {
         let Motion::Flies(flight) = motion else {
             return Dual::constant(0.0);
         };
@@ -458,7 +460,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         rate
     }
 
-    fn settle(&mut self, motion: &Motion<Dual<K>>, end: &State) -> Derivative<EventJump<K>> {
+    fn settle(&mut self, motion: &Motion<Dual>, end: &State) -> Derivative<EventJump> {
         let (Some(restitution), Motion::Flies(flight)) = (self.restitution, motion) else {
             return Err(NoDerivative::Singular);
         };
@@ -498,7 +500,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
         &mut self,
         phase: &Phase,
         times: &[f64],
-    ) -> Derivative<Vec<Derivative<InstantOfPhase<K>>>> {
+    ) -> Derivative<Vec<Derivative<InstantOfPhase>>> {
         self.begin(phase)?;
         let motion = self.motion_of(phase);
         let within: Vec<f64> = times
@@ -537,7 +539,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
     }
 
     /// The states at times of the results that do not decrease, from the start.
-    pub(super) fn instants(&mut self, times: &[f64]) -> Vec<Derivative<InstantOfPhase<K>>> {
+    pub(super) fn instants(&mut self, times: &[f64]) -> Vec<Derivative<InstantOfPhase>> {
         let motion = self.motion;
         let mut found = Vec::with_capacity(times.len());
         for (number, phase) in motion.phases.iter().enumerate() {
@@ -564,8 +566,8 @@ impl<'a, const K: usize> Tangents<'a, K> {
     /// The derivatives of the outcome, after all phases with these events.
     pub(super) fn outcome(
         &mut self,
-        passed: &[Option<EventJump<K>>],
-    ) -> Derivative<(Instant<K>, Option<Recurrence<Dual<K>>>)> {
+        passed: &[Option<EventJump>],
+    ) -> Derivative<(Instant, Option<Recurrence<Dual>>)> {
         if self.jam.is_some() {
             return Err(NoDerivative::Singular);
         }
@@ -617,7 +619,7 @@ impl<'a, const K: usize> Tangents<'a, K> {
 
     /// The numbers of the recurrence of a phase of rolling, in the units of the solvers; none if
     /// its period is longer than `most`.
-    fn recurrence(&self, phase: &Phase, most: f64) -> Option<Recurrence<Dual<K>>> {
+    fn recurrence(&self, phase: &Phase, most: f64) -> Option<Recurrence<Dual>> {
         let PhaseSolution::Rolling(rolling) = &phase.solution else {
             return None;
         };
