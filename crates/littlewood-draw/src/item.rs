@@ -133,6 +133,21 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
+    /// Of a whole sheet.
+    pub(crate) const fn sheet(width: f64, height: f64) -> Self {
+        Self {
+            left: 0.0,
+            top: 0.0,
+            right: width,
+            bottom: height,
+        }
+    }
+
+    /// Left, top, right and bottom.
+    pub(crate) const fn sides(self) -> [f64; 4] {
+        [self.left, self.top, self.right, self.bottom]
+    }
+
     pub(crate) fn of(corners: Corners) -> Self {
         let ([left, top], [right, bottom]) = (corners.low.pixels(), corners.high.pixels());
         Self {

@@ -153,12 +153,7 @@ impl Canvas {
     /// The colour of the area in which a box lies; the paper, if it is in none or reaches out of
     /// it.
     pub(crate) fn below(&self, frame: Frame) -> Rgb {
-        let Frame {
-            left,
-            top,
-            right,
-            bottom,
-        } = frame;
+        let [left, top, right, bottom] = frame.sides();
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         let area = self.0.iter().rev().find_map(|item| {
             let Item::Path {

@@ -3,7 +3,7 @@
 use crate::chart::items;
 use crate::error::DrawError;
 use crate::figure::Figure;
-use crate::item::{Frame, Item};
+use crate::item::Item;
 use crate::markup::plain;
 use crate::primitives::Image;
 use crate::raster::{self, check_scale};
@@ -52,13 +52,7 @@ impl Figure {
             let Item::Words(words) = item else {
                 return None;
             };
-            let Frame {
-                left,
-                top,
-                right,
-                bottom,
-            } = words.frame();
-            Some((plain(&words.text), [left, top, right, bottom]))
+            Some((plain(&words.text), words.frame().sides()))
         });
         texts.collect()
     }

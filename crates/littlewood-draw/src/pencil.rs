@@ -26,13 +26,7 @@ pub(crate) trait Pencil {
 
 /// Draws all that is on a sheet.
 pub(crate) fn draw(items: &[Item], width: f64, height: f64, pencil: &mut impl Pencil) {
-    let sheet = Frame {
-        left: 0.0,
-        top: 0.0,
-        right: width,
-        bottom: height,
-    };
-    pencil.fill(&rectangle(sheet), PAPER);
+    pencil.fill(&rectangle(Frame::sheet(width, height)), PAPER);
     for item in items {
         match item {
             Item::Path { lines, paint } => {
@@ -74,12 +68,7 @@ fn polygon(points: &[Step], paint: Paint) -> Vec<Segment> {
 }
 
 fn rectangle(frame: Frame) -> [Segment; 5] {
-    let Frame {
-        left,
-        top,
-        right,
-        bottom,
-    } = frame;
+    let [left, top, right, bottom] = frame.sides();
     [
         Segment::Move([left, top]),
         Segment::Line([right, top]),

@@ -99,8 +99,7 @@ impl Drawn {
 
     /// How much of it lies below a box.
     fn below(&self, frame: Frame) -> f64 {
-        let [left, top, right, bottom] = [frame.left, frame.top, frame.right, frame.bottom]
-            .map(|side| (side / CELL).max(0.0) as usize);
+        let [left, top, right, bottom] = frame.sides().map(|side| (side / CELL).max(0.0) as usize);
         let columns = left..=right.min(self.columns - 1);
         let cells = (top..=bottom).flat_map(|row| columns.clone().map(move |column| (row, column)));
         let cells = cells.filter_map(|(row, column)| self.cells.get(row * self.columns + column));
@@ -217,12 +216,7 @@ pub(crate) fn place(panel: &mut Panel, width: f64, height: f64) -> Vec<Label> {
         return Vec::new();
     }
     let labels = core::mem::take(&mut panel.labels);
-    let sheet = Frame {
-        left: 0.0,
-        top: 0.0,
-        right: width,
-        bottom: height,
-    };
+    let sheet = Frame::sheet(width, height);
     let [[left, top], [right, bottom]] = panel.axes_frame();
     let axes = Frame {
         left,

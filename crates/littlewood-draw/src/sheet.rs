@@ -31,8 +31,9 @@ const GAP: f64 = 20.0;
 /// Height of a row of keys.
 const ROW: f64 = 20.0;
 
-/// Least width of panels that stand beside each other.
+/// Least width of panels that stand beside each other, and room between them.
 const NARROWEST: f64 = 300.0;
+const BESIDE: f64 = 14.0;
 
 /// Panels are flatter on a narrow sheet, and not much higher on a wide one.
 const FLATTEST: f64 = 0.7;
@@ -113,17 +114,17 @@ impl Sheet {
         [LEFT, self.width - LEFT - RIGHT]
     }
 
-    /// Left ends and width of panels beside each other; of one that takes all where they would be
-    /// narrower than this.
-    pub fn columns<const N: usize>(&self, least: f64) -> Option<([f64; N], f64)> {
-        let gap = 14.0;
-        let each = (self.width - LEFT - RIGHT - gap * (N - 1) as f64) / N as f64;
-        (each >= least).then(|| {
-            (
-                core::array::from_fn(|i| LEFT + (each + gap) * i as f64),
-                each,
-            )
-        })
+    /// The frames of two panels of a height, with so much room above each: beside each other, or
+    /// on a narrow sheet one below the other.
+    pub fn frames(&self, above_first: f64, above_second: f64, height: f64) -> [[f64; 4]; 2] {
+        let [left, inner] = self.span();
+        let each = 0.5 * (inner - BESIDE);
+        if each < NARROWEST {
+            let below = above_first + height + above_second;
+            return [above_first, below].map(|top| [left, top, inner, height]);
+        }
+        let top = f64::max(above_first, above_second);
+        [left, left + (each + BESIDE)].map(|left| [left, top, each, height])
     }
 
     /// Keys in rows from a height downwards, in columns where it takes more than one row, and the
@@ -249,12 +250,8 @@ impl Sheet {
         entries: Entries,
     ) -> Figure {
         let (keys, room) = self.keys(entries, 6.0);
-        let (top, height) = (ABOVE + room, self.height(own_height));
-        let [left, inner] = self.span();
-        let frames = match self.columns::<2>(NARROWEST) {
-            Some((lefts, each)) => lefts.map(|left| [left, top, each, height]),
-            None => [top, top + height + ABOVE].map(|top| [left, top, inner, height]),
-        };
+        let height = self.height(own_height);
+        let frames = self.frames(ABOVE + room, ABOVE, height);
         let bottom = frames[1][1] + height + BELOW;
         let mut panels: Vec<Panel> = frames
             .into_iter()

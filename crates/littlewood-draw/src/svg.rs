@@ -8,7 +8,7 @@ use base64::engine::general_purpose::STANDARD;
 use littlewood_style::Dash;
 
 use crate::figure::Figure;
-use crate::item::{Corners, Frame, Item, Paint, STEPS, Step, Words};
+use crate::item::{Corners, Item, Paint, STEPS, Step, Words};
 use crate::letters::{Glyph, glyphs};
 use crate::markup::plain;
 use crate::stroke::PAPER;
@@ -119,12 +119,7 @@ impl Sheet {
     /// A text by the outlines of its letters, each of which the file has once.
     fn outlined(&mut self, words: &Words) {
         if let Some(ground) = words.ground {
-            let Frame {
-                left,
-                top,
-                right,
-                bottom,
-            } = words.frame();
+            let [left, top, right, bottom] = words.frame().sides();
             let [x, y, wide, high] = [left, top, right - left, bottom - top].map(decimal);
             let colour = ground.hex();
             let _ = writeln!(

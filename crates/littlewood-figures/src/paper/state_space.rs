@@ -216,8 +216,6 @@ fn in_space(ranges: Ranges, say: Wording, layers: Vec<Layer>) -> Panel {
 
 /// Rows of the names of transitions.
 const ROWS: u32 = 3;
-/// Least width of panels that stand beside each other.
-const NARROWEST: f64 = 300.0;
 
 /// A transition and its time, with the symbols of §3: τ_s where static friction gives way, τ_g
 /// where the particle reaches the plane.
@@ -350,13 +348,9 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
         motion.say.start(motion.hoop(), &input.start)
     );
     let sheet = input.sheet(860.0)?;
-    let [left, inner] = sheet.span();
     let height = sheet.height(362.0);
-    let above = 12.0 + 16.0 * f64::from(ROWS.min(motion.transitions().len() as u32));
-    let frames = match sheet.columns::<2>(NARROWEST) {
-        Some((lefts, each)) => lefts.map(|left| [left, above, each, height]),
-        None => [12.0, 12.0 + height + above].map(|top| [left, top, inner, height]),
-    };
+    let rows = ROWS.min(motion.transitions().len() as u32);
+    let frames = sheet.frames(12.0, 12.0 + 16.0 * f64::from(rows), height);
     let panels = frames
         .into_iter()
         .zip([phase_plane(&motion), slip_velocity(&motion)])

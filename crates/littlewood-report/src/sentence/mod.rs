@@ -80,9 +80,8 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
 pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
     let event = trajectory.transitions().get(index)?;
     let hoop = trajectory.hoop();
-    let forces =
-        RollingLaw::new(trajectory.hoop()).forces(event.before.theta, event.before.theta_rate);
-    let mu_s = trajectory.hoop().mu_s();
+    let forces = RollingLaw::new(hoop).forces(event.before.theta, event.before.theta_rate);
+    let mu_s = hoop.mu_s();
     let struck = |impact| Struck {
         hoop,
         index,
@@ -103,19 +102,7 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
         Cause::NormalForceZero => {
             "Glides: the normal force has vanished before friction gave way.".to_owned()
         }
-        Cause::LiftOff => {
-            let rise =
-                -trajectory.hoop().h() * libm::sin(event.before.theta) * event.before.theta_rate;
-            let rises = if hoop.slope() == 0.0 {
-                "rises"
-            } else {
-                "rises from the plane"
-            };
-            format!(
-                "Jumps. The ground no longer pushes (N = 0), and the mass centre still {rises} at {}.",
-                scale.show_with_unit(Dimension::Velocity, three(rise))
-            )
-        }
+        Cause::LiftOff => lift_off(hoop, event, scale),
         Cause::Landing => match &event.impact {
             Some(impact) => struck(impact).landing(),
             None => landing(ended_by(trajectory, index), scale),
@@ -140,6 +127,19 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
                 .to_owned()
         }
     })
+}
+
+fn lift_off(hoop: &Hoop, event: &Transition, scale: Scale<'_>) -> String {
+    let rise = -hoop.h() * libm::sin(event.before.theta) * event.before.theta_rate;
+    let rises = if hoop.slope() == 0.0 {
+        "rises"
+    } else {
+        "rises from the plane"
+    };
+    format!(
+        "Jumps. The ground no longer pushes (N = 0), and the mass centre still {rises} at {}.",
+        scale.show_with_unit(Dimension::Velocity, three(rise))
+    )
 }
 
 /// The end of the motion, or that it has none.
