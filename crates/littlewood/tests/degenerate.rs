@@ -5,6 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::common::{boundary_start, engines, heavy_hoop, simulate};
+use crate::consistent_modes::Sizes;
 use littlewood::modes::{PhaseSolution, Recurrence};
 use littlewood::tables::{Bound, Quantity, Setup};
 use littlewood::theory::{PhasePlane, RollingLaw, StartRegion};
@@ -72,7 +73,7 @@ fn a_start_hardly_beyond_the_limit_slips_wherever_it_comes_back() {
                 // Nearer, within the rounding of the terms of |F| − μs N over its slope, a start is
                 // on the limit, and static friction holds where the hoop comes back.
                 let slope = (excess(slips + 1e-6) - excess(holds - 1e-6)) / 2e-6;
-                let rounding = 128.0 * f64::EPSILON * hoop.mass() * (1.0 + rate * rate) / slope;
+                let rounding = Sizes::of(hoop, &Start::at(slips, rate)).friction_excess() / slope;
                 let (theta, motion) = begins(slips + rounding).expect("a slip");
                 for event in motion.transitions() {
                     let angle = libm::remainder(event.before.theta, 2.0 * PI);

@@ -42,6 +42,19 @@ pub(crate) fn size(hoop: &Hoop, sample: &Sample) -> f64 {
     terms * (1.0 + theta.abs())
 }
 
+/// P at a state, and its rounding: of its terms, of the angle within a turn by which the library
+/// computes it, and of the angle that it returns.
+fn painleve(hoop: &Hoop, law: &SlidingLaw, state: &State) -> (f64, f64) {
+    let (mass, h, mu) = (hoop.mass(), hoop.h(), hoop.mu_k());
+    let arm = h + mu * (1.0 + h);
+    let size = hoop.body().inertia_about_mass_centre() + mass * h * arm;
+    let slope = mass * h * (arm + h * (1.0 + mu));
+    let angles = std::f64::consts::PI + state.theta.abs();
+    // Seven products and sums, and a sine or cosine, of half a unit each.
+    let rounding = f64::EPSILON * (4.0 * size + angles * slope);
+    (law.painleve(state.theta), rounding)
+}
+
 fn sign(direction: Option<SlipDirection>) -> f64 {
     direction.map_or(0.0, SlipDirection::sign)
 }
@@ -90,8 +103,9 @@ pub(crate) fn check_phase(
                     unreachable!()
                 };
                 let law = SlidingLaw::new(hoop, direction).expect("a heavy hoop");
-                if law.painleve(now.state.theta) < 1e-13 {
-                    continue; // P = 0 to rounding: the end of a singular slide, where N is infinite
+                let (p, rounding_of_p) = painleve(hoop, &law, &now.state);
+                if p <= rounding_of_p {
+                    continue; // the end of a singular slide, where N is infinite
                 }
                 size = size.max(passing(hoop, slides_since, &now));
                 let more = now.energy - before.energy;
@@ -109,8 +123,8 @@ pub(crate) fn check_phase(
                 );
                 // N = Î m w/P, and w = 1 − h cos θ θ′² is known to the rounding of θ′.
                 let u = now.state.theta_rate * now.state.theta_rate;
-                let law_at = hoop.body().inertia_about_mass_centre() * hoop.mass()
-                    / law.painleve(now.state.theta);
+                let law_at =
+                    hoop.body().inertia_about_mass_centre() * hoop.mass() / (p - rounding_of_p);
                 let rounding = 1e-11 * law_at * (1.0 + u) * (1.0 + now.state.theta.abs());
                 prop_assert!(
                     now.normal >= -rounding,
