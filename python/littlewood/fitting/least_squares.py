@@ -39,6 +39,8 @@ _TRY_STEP = (0.01, 0.05, 0.1, 0.2, 0.4)
 _TRY_INERTIA = (0.6, 0.8, 1.0, 1.25, 1.6)
 _TRY_SLIP = (0.0, -3.0, -2.0, -1.2, -0.5, 0.5, 1.2, 2.0, 3.0)
 _BEST = 6
+# How many frames tell which guesses are the best.
+_FRAMES_OF_GUESS = 50
 # Parts of the track over which a coefficient of restitution is sought, and how many guesses are
 # followed over each.
 _PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
@@ -49,8 +51,8 @@ _STEPS_OF_SEARCH = 60
 _FORETELLS = 2.0
 # Guesses that differ by less lead to the same minimum.
 _SAME = 1e-3
-# How often the errors are estimated from the residuals.
-_TURNS = 4
+# How often the errors are estimated from the residuals, at most.
+_TURNS = 12
 # Neighbours of a fit whose sequences are looked at, how far they are in standard errors, how many
 # other sequences are fitted, and the probability from which one is named.
 _NEIGHBOURS = 40
@@ -227,18 +229,19 @@ def fit(
             problem, unknowns = problem.with_camera(camera, unknowns)
             # A hundred times as large as the errors, at first they would be taken for them.
             unknowns = problem.camera_of(unknowns)
-        # Weights from residuals, and again with those weights.
+        # Weights from residuals, and again with those weights, until they remain.
         for turn in range(_TURNS):
             noise = problem.noise_of(unknowns, known, loss, turn > 0)
-            problem = replace(problem, noise=noise)
-            last = turn == _TURNS - 1
-            best = (
-                problem.refine(unknowns, loss, FINE, 50)
-                if last
-                else problem.refine(unknowns, loss, ROUGH, 30)
+            is_last = turn == _TURNS - 1 or (
+                turn > 1 and all(one.is_close(problem.noise[name]) for name, one in noise.items())
             )
+            problem = replace(problem, noise=noise)
+            tolerance, most = (FINE, 50) if is_last else (ROUGH, 30)
+            best = problem.refine(unknowns, loss, tolerance, most)
             unknowns = best.x
             step()
+            if is_last:
+                break
         if loss == "linear":
             best, sequences = _compared(problem, best, others)
         else:
@@ -334,10 +337,11 @@ def _search(
     foretold = 0.0
     for part in parts:
         shorter = problem.part(part)
-        misfits = [shorter.misfit(guess) for guess in guesses]
+        sparse = shorter.sparse(_FRAMES_OF_GUESS)
+        misfits = [sparse.misfit(guess) for guess in guesses]
         if min(misfits) > foretold:
             others = [other for guess in guesses for other in problem.other_restitutions(guess)]
-            guesses, misfits = guesses + others, [*misfits, *map(shorter.misfit, others)]
+            guesses, misfits = guesses + others, [*misfits, *map(sparse.misfit, others)]
         # Guesses of one motion have one misfit: without an impact any restitution will do.
         _, places = np.unique(misfits, return_index=True)
         found = []

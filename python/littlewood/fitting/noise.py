@@ -47,6 +47,12 @@ class Noise:
         """Standard deviation of an error."""
         return math.hypot(self.white, self.slow)
 
+    def is_close(self, other: Noise) -> bool:
+        """Whether the standard deviations are those of another to a hundredth, and the time is its."""
+        return self.time == other.time and bool(
+            np.allclose((self.white, self.slow), (other.white, other.slow), rtol=0.01, atol=0.0)
+        )
+
     def __str__(self) -> str:
         slow = (
             f", of which {self.slow:.3g} changes in τ = {self.time:.2g}" if self.slow > 0.0 else ""

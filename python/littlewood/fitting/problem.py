@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from .._internal.elementwise import Reals
 from .._internal.extras import require
@@ -96,6 +97,7 @@ class Problem:
         self._before = np.where(camera == _EXPOSURE, 0.5 * step, 0.0)
         self._deviation = np.where(camera == _EXPOSURE, step / math.sqrt(12.0), _PRIOR)
         self._last: tuple[tuple[float, ...], Exposures] | None = None
+        self._last_derivatives: tuple[bytes, dict[str, Reals]] | None = None
 
     def with_camera(self, camera: tuple[str, ...], unknowns: Reals) -> tuple[Problem, Reals]:
         """Return the same with constants of the camera among the unknowns, and these."""
@@ -148,6 +150,11 @@ class Problem:
             if part == 1.0
             else replace(self, track=self.track.until(begin + part * (end - begin)))
         )
+
+    def sparse(self, frames: int) -> Problem:
+        """Return the same for frames all over the track, of which there are about so many."""
+        step = max(1, self.track.time.size // frames)
+        return replace(self, track=self.track.every(step))
 
     def bounds(self) -> tuple[list[float], list[float]]:
         """Return the least and the largest values of the unknowns."""
@@ -270,6 +277,12 @@ class Problem:
 
         They are those of the motion, where it has them; else differences within bounds.
         """
+        key = unknowns.tobytes()
+        if self._last_derivatives is None or self._last_derivatives[0] != key:
+            self._last_derivatives = key, self._derivatives(unknowns)
+        return self._last_derivatives[1]
+
+    def _derivatives(self, unknowns: Reals) -> dict[str, Reals]:
         found = self._exact(self.values(unknowns))
         low, high = self.bounds()
         is_known = np.all([np.isfinite(rows).all(axis=0) for rows in found.values()], axis=0)
@@ -367,12 +380,41 @@ class Problem:
     def refine(
         self, unknowns: Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS
     ) -> Any:
-        """Minimise from a guess, until the sum of squares changes by less than a part, in a number of steps."""
-        return require("scipy.optimize").least_squares(
-            self.scaled,
-            unknowns,
-            bounds=self.bounds(),
-            jac=self.jacobian,
+        """Minimise from a guess, in so many steps or until the sum of squares hardly changes.
+
+        What the residuals do not depend on stays as it is: steps along it would lead from bound to
+        bound, and shorten those of the others.
+        """
+        found, seen = None, np.zeros(unknowns.size, dtype=bool)
+        while True:
+            depend = np.any(self.jacobian(unknowns) != 0.0, axis=0)
+            if found is not None and not np.any(depend & ~seen):
+                return found
+            seen = seen | depend
+            found = self._refined(unknowns, seen, loss, tolerance, most)
+            unknowns = found.x
+
+    def _refined(
+        self,
+        unknowns: Reals,
+        seen: npt.NDArray[np.bool_],
+        loss: str,
+        tolerance: float,
+        most: int,
+    ) -> Any:
+        """Minimise over some of the unknowns; the result is that over all of them."""
+        low, high = map(np.array, self.bounds())
+
+        def whole(some: Reals) -> Reals:
+            found = unknowns.copy()
+            found[seen] = some
+            return found
+
+        found = require("scipy.optimize").least_squares(
+            lambda some: self.scaled(whole(some)),
+            unknowns[seen],
+            bounds=(low[seen], high[seen]),
+            jac=lambda some: self.jacobian(whole(some))[:, seen],
             x_scale="jac",
             loss=loss,
             ftol=tolerance,
@@ -380,3 +422,9 @@ class Problem:
             gtol=tolerance,
             max_nfev=most,
         )
+        found.x = whole(found.x)
+        for name in ("jac", "active_mask"):
+            some = found[name]
+            found[name] = np.zeros((*some.shape[:-1], unknowns.size))
+            found[name][..., seen] = some
+        return found
