@@ -10,7 +10,7 @@ from ._frozen import Frozen
 from ._html import hoop_html
 from ._internal.elementwise import real
 from .bouncing import BouncingOrbit
-from .motion import Classification, Start
+from .motion import Classification, RollingEnd, Start
 from .phase_plane import PhasePlane
 from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START
 from .trajectory import Trajectory
@@ -350,7 +350,8 @@ class Hoop:
             time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=0.0
         )
         found = _core.classify(self._given, start.numbers)
-        return Classification(**{**found, "details": Frozen(found["details"])})
+        end = found["rolling_end"] and RollingEnd(**found["rolling_end"])
+        return Classification(**{**found, "rolling_end": end, "details": Frozen(found["details"])})
 
     def bouncing_orbit(self, angle: float) -> BouncingOrbit | None:
         """Return the motion that bounces for ever with impacts at this angle.

@@ -258,7 +258,7 @@ class Trajectory:
             and as the first of the phase that begins, because forces may jump there, and velocities
             in an impact.
         """
-        number = checked_count("count", count, *_core.SAMPLE_COUNTS)
+        number = checked_count("count", count, **_core.SAMPLE_COUNTS)
         if until is None:
             until = self.shown_until
         until = real(until, "until")
@@ -381,7 +381,9 @@ class Trajectory:
         -----
         A number reads back as the same number; what is not finite is null. Of a hoop with units it has SI values, too.
         """
-        count = None if samples is None else checked_count("samples", samples, *_core.SAMPLE_COUNTS)
+        count = (
+            None if samples is None else checked_count("samples", samples, **_core.SAMPLE_COUNTS)
+        )
         text = self._core.json(count, None if self.hoop.units is None else self.hoop.units.scales)
         if path is None:
             return text

@@ -21,7 +21,7 @@ RESULTS: tuple[str, ...] = tuple(SUMMARY_COLUMNS)
 def quantity_attributes(name: str) -> dict[str, Any]:
     """Return the attributes of a coordinate."""
     if name == FRICTION:
-        return {**quantity_attributes("mu_s"), "long_name": _core.FRICTION[2]}
+        return {**quantity_attributes("mu_s"), "long_name": _core.FRICTION["long_name"]}
     quantity = QUANTITIES[name]
     return {"long_name": quantity.long_name, "units": quantity.cf_unit, "scale": quantity.scale}
 
@@ -43,7 +43,7 @@ def checked_derivatives(names: Iterable[str], has_restitution: bool) -> tuple[st
 
 def _legend() -> str:
     """Return what the codes of phases mean, as JSON: no file format takes an attribute with parts."""
-    letters = {str(code): f"{letter}: {meaning}" for code, letter, meaning in _core.PHASES}
+    letters = {str(row["code"]): f"{row['name']}: {row['label']}" for row in _core.PHASES}
     legend = {"0": "end of the sequence", **letters}
     return json.dumps(legend, ensure_ascii=False, separators=(",", ":"))
 

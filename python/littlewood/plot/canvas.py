@@ -111,7 +111,7 @@ def sign(name: str) -> str:
     if name in SAMPLE_COLUMNS:
         return SAMPLE_COLUMNS[name].sign
     if name == FRICTION:
-        return _core.FRICTION[1]
+        return _core.FRICTION["sign"]
     return QUANTITIES[name].sign if name in QUANTITIES else name
 
 
