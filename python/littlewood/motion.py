@@ -124,14 +124,20 @@ class Phase:
 
 
 class Impulse(NamedTuple):
-    """The impulse of the plane on the body in an impact, m2 √(gR): `normal` upwards, `friction` along E1."""
+    """The impulse of the plane on the body in an impact, m2 √(gR).
+
+    `normal` upwards, `friction` along E1.
+    """
 
     normal: float
     friction: float
 
 
 class ContactVelocities(NamedTuple):
-    """The velocities that an impact changes: θ′ in √(g/R), and η′ and the rate of the gap in √(gR)."""
+    """The velocities that an impact changes.
+
+    They are θ′ in √(g/R), and η′ and the rate of the gap in √(gR).
+    """
 
     theta_rate: float
     slip: float

@@ -14,12 +14,18 @@ Dashes = str | tuple[float, tuple[float, ...]]
 """Dashes as Matplotlib takes them."""
 
 LENGTHS: Mapping[str, float] = MappingProxyType(_core.lengths())
-"""Widths of lines, length of a tick and sizes of letters, those of ticks small, in pixels of 1/96 inch."""
+"""Widths of lines, length of a tick and sizes of letters, in pixels of 1/96 inch.
+
+Those of ticks are small.
+"""
 
 _POINTS_PER_PIXEL = 72.0 / 96.0
 
 FINE, CURVE, BOLD = (_POINTS_PER_PIXEL * LENGTHS[name] for name in ("fine", "curve", "bold"))
-"""Widths of lines in points: of frames and what is beside the matter, of curves, and of emphasised ones."""
+"""Widths of lines in points.
+
+Of frames and what is beside the matter, of curves, and of emphasised ones.
+"""
 
 
 def _colours(group: str) -> Mapping[str, str]:
@@ -48,7 +54,9 @@ CLASS_COLOURS: Mapping[str, str] = _colours("class")
 """Colours of the classes of outcomes in maps, by their names."""
 
 CURVE_COLOURS: Mapping[str, str] = _colours("curve")
-"""Colours of the curves of the (θ, θ′) plane: slip_limit (f), normal_force_zero (n), separatrix, lift_off,
+"""Colours of the curves of the (θ, θ′) plane.
+
+They are slip_limit (f), normal_force_zero (n), separatrix, lift_off,
 chatter, level."""
 
 CURVE_DASHES: Mapping[str, Dashes] = _dashes("curve")

@@ -110,7 +110,10 @@ PROOF: str = _core.PROOF
 """What is enough by default."""
 
 MODES: tuple[str, ...] = tuple(row["name"] for row in _core.MODES)
-"""Names of the modes of motion; their places are the codes in arrays. Outside a motion the code is -1."""
+"""Names of the modes of motion.
+
+Their places are the codes in arrays. Outside a motion the code is -1.
+"""
 
 MODE_CODES: Mapping[str, int] = Frozen((row["name"], row["code"]) for row in _core.MODES)
 """Codes of the modes by their names."""
@@ -134,7 +137,10 @@ LAW_LABELS: Mapping[str, str] = _labels(_core.RESTITUTION_LAWS)
 """Laws of restitution in words."""
 
 OUTCOMES: Mapping[int, str] = Frozen((row["code"], row["name"]) for row in _core.OUTCOMES)
-"""Names of the outcomes by their codes in arrays; `not_computed` and `invalid` are those of points without a motion."""
+"""Names of the outcomes by their codes in arrays.
+
+`not_computed` and `invalid` are those of points without a motion.
+"""
 
 OUTCOME_LABELS: Mapping[str, str] = _labels(_core.OUTCOMES)
 """Outcomes in words."""
@@ -149,7 +155,10 @@ CLASS_LABELS: Mapping[str, str] = _labels(_core.CLASSES)
 """Classes in words."""
 
 REGIONS: tuple[str, ...] = tuple(row["name"] for row in _core.REGIONS)
-"""Names of the regions that a start lies in, by the codes of :meth:`littlewood.phase_plane.PhasePlane.region`."""
+"""Names of the regions that a start lies in.
+
+Their places are the codes of :meth:`littlewood.phase_plane.PhasePlane.region`.
+"""
 
 ROLLING_TYPES: tuple[str, ...] = ("", *(row["name"] for row in _core.ROLLING_TYPES))
 """Names of the types of rolling; their places are the codes in arrays, 0 for none."""

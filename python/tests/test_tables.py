@@ -1,4 +1,7 @@
-"""Names, codes, labels, units and colours stand in the core: what the package says by itself agrees with them."""
+"""Names, codes, labels, units and colours stand in the core.
+
+What the package says by itself agrees with them.
+"""
 
 import dataclasses
 import inspect

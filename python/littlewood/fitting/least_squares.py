@@ -251,7 +251,10 @@ def fit(
 
 
 def _first_guess(track: Track, slope: float, given: dict[str, float]) -> dict[str, float]:
-    """Read the start off a parabola through the first frames, on a slope as if the hoop were in contact."""
+    """Read the start off a parabola through the first frames.
+
+    On a slope it is read as if the hoop were in contact.
+    """
     unknown = [name for name in given if name not in ("theta", "theta_rate", "slip", "x")]
     if unknown:
         raise ValueError(f"start has {', '.join(unknown)}; it can have theta, theta_rate, slip, x")
@@ -364,7 +367,10 @@ def _distinct(guesses: list[Reals]) -> list[Reals]:
 
 
 def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, dict[str, float]]:
-    """Fit other sequences of phases, and return the most probable fit and the probabilities of all."""
+    """Fit other sequences of phases.
+
+    Return the most probable fit and the probabilities of all.
+    """
     rest = len(problem.names) - len(problem.camera_names)
     random = np.random.default_rng(0)
     covariance, _ = _covariance(best.jac)
@@ -407,7 +413,9 @@ def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, di
 
 
 def _evidence(found: Any) -> float:
-    """Return the logarithm of the probability of the measurements for a sequence, by Laplace's method.
+    """Return the logarithm of the probability of the measurements for a sequence.
+
+    By Laplace's method.
 
     Beforehand each unknown is anything within about 1, in the units of the hoop.
     """
@@ -510,7 +518,10 @@ def _result(
 def _wrong_intervals(
     problem: Problem, best: Any, covariance: Reals, estimates: Mapping[str, Estimate], loss: str
 ) -> list[Doubt]:
-    """Compare the rise of the profile likelihood at the ends of the normal intervals with that of a parabola."""
+    """Compare the rise of the profile likelihood with that of a parabola.
+
+    It is that at the ends of the normal intervals.
+    """
     wrong: dict[str, float] = {}
     for name, estimate in estimates.items():
         if name not in OF_HOOP or not estimate.identifiable or loss != "linear":
@@ -526,7 +537,8 @@ def _wrong_intervals(
         return []
     words = ", ".join(f"{name} ({part:.2g})" for name, part in wrong.items())
     message = (
-        f"the likelihood of {words} is not that of a normal error ({_PROFILED:g} standard errors away it falls by the "
+        f"the likelihood of {words} is not that of a normal error ({_PROFILED:g} standard errors "
+        f"away it falls by the "
         "number in brackets times as much): take profile_interval"
     )
     return [Doubt("interval", message, tuple(wrong))]
@@ -553,7 +565,10 @@ def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:
 
 
 def _covariance(jacobian: Reals) -> tuple[Reals, npt.NDArray[np.bool_]]:
-    """Return (JᵀJ)⁻¹, and which unknowns the residuals do not depend on, alone or apart from others."""
+    """Return (JᵀJ)⁻¹, and which unknowns it does not tell.
+
+    The residuals do not depend on these, alone or apart from others.
+    """
     norms = np.linalg.norm(jacobian, axis=0)
     scale = np.where(norms > 0.0, norms, 1.0)
     _, singular, rows = np.linalg.svd(jacobian / scale, full_matrices=False)

@@ -125,7 +125,10 @@ class Problem:
         return [name for name in self.names if name.startswith(_CAMERA)]
 
     def guess(self, **values: float) -> Reals:
-        """Return the unknowns at a guess; `mu_s` is stored as its excess over `mu_k`, which must not be negative."""
+        """Return the unknowns at a guess.
+
+        `mu_s` is stored as its excess over `mu_k`, which must not be negative.
+        """
         known = {name: getattr(self.hoop, name) for name in OF_HOOP} | values
         if known["restitution"] is None:
             known["restitution"] = _TRY_RESTITUTION[0]
@@ -170,7 +173,10 @@ class Problem:
         return [low for low, _ in pairs], [high for _, high in pairs]
 
     def limits(self, name: str) -> tuple[float, float]:
-        """Return the least and the largest value of a parameter, not of the unknown that stands for it."""
+        """Return the least and the largest value of a parameter.
+
+        It is that of the parameter, not of the unknown that stands for it.
+        """
         if name == "mu_s" and "mu_k" in self.names:
             return 0.0, _LARGEST_FRICTION
         low, high = self.bounds()
@@ -236,7 +242,10 @@ class Problem:
         return {name: values[self._seen[name]] for name, values in by_channel.items()}
 
     def scaled(self, unknowns: Reals) -> Reals:
-        """Return the residuals as numbers that are independent and of size 1, and then the constants of the camera."""
+        """Return the residuals as numbers that are independent and of size 1.
+
+        The constants of the camera follow.
+        """
         residuals = self.residuals(unknowns)
         parts = [
             self._white[name](residual[self._seen[name]]) for name, residual in residuals.items()
@@ -343,7 +352,10 @@ class Problem:
         return np.vstack([*parts, np.eye(unknowns.size)[rest:] / self._deviation[:, None]])
 
     def derivative_by(self, name: str, values: dict[str, Any]) -> dict[str, Reals] | None:
-        """Return the derivatives of the residuals by something that is held; None without a motion on both sides."""
+        """Return the derivatives of the residuals by something that is held.
+
+        None without a motion on both sides.
+        """
         value = values.get(name, 0.0)
         low, high = _HELD.get(name, (-math.inf, math.inf))
         if value is None or value < low:
@@ -360,7 +372,10 @@ class Problem:
         }
 
     def fixed(self, name: str, values: dict[str, Any]) -> tuple[Problem, Reals] | None:
-        """Return the same with a parameter of the hoop fixed, and a guess of the others; None where no hoop has it."""
+        """Return the same with a parameter of the hoop fixed, and a guess of the others.
+
+        None where no hoop has it.
+        """
         value, values = values[name], values | {"mu_k": max(values["mu_k"], 0.0)}
         if values["mu_s"] < values["mu_k"]:
             # The other coefficient gives way, if it may.

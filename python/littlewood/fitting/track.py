@@ -204,7 +204,9 @@ class Track:
         length_unit: str = "m",
         ignore: Iterable[str] = (),
     ) -> Track:
-        """Read a track from a table of numbers with a line of names, as spreadsheets and trackers write it.
+        """Read a track from a table of numbers with a line of names.
+
+        Spreadsheets and trackers write such tables.
 
         Parameters
         ----------
