@@ -1,4 +1,7 @@
-"""The command line: ``python -m littlewood``, and the program ``littlewood`` that comes with the package."""
+"""The command line.
+
+``python -m littlewood``, and the program ``littlewood`` that comes with the package.
+"""
 
 import sys
 

@@ -173,28 +173,66 @@ class _Edge(TypedDict):
     to_mode: str | None
     source: str
 
+class _Code(TypedDict):
+    code: int
+    name: str
+
+class _Coded(_Code):
+    label: str
+
+class _OutcomeRow(_Coded):
+    is_final: bool
+
+class _Axis(TypedDict):
+    name: str
+    sign: str
+    long_name: str
+
+class _Counts(TypedDict):
+    least: int
+    most: int
+
+class _Colour(TypedDict):
+    group: str
+    name: str
+    colour: str
+
+class _Dash(TypedDict):
+    group: str
+    name: str
+    pattern: list[float]
+
+class _Curve(TypedDict):
+    name: str
+    letter: str | None
+    width: float
+
+class _DrawnCurve(TypedDict):
+    pieces: _Pieces
+    place_of_letter: list[float] | None
+
 __version__: str
 AXES: list[str]
-CAUSES: list[tuple[int, str, str]]
-CLASSES: list[tuple[int, str, str]]
-FRICTION: tuple[str, str, str]
+CAUSES: list[_Coded]
+CLASSES: list[_Coded]
+FRICTION: _Axis
 HOOP: list[str]
-IMPACT_CASES: list[tuple[int, str, str]]
+IMPACT_CASES: list[_Coded]
 MAX_SLIDES: int
 MAX_TRANSITIONS: int
 PROOF: str
 PROOFS: list[str]
 MOST_THREADS: int
-MODES: list[tuple[int, str]]
+MODES: list[_Code]
 MOST_POINTS: int
 MOST_COUNT: int
-OUTCOMES: list[tuple[int, str, str, bool]]
+OUTCOMES: list[_OutcomeRow]
 OUTSIDE: int
-PHASES: list[tuple[int, str, str]]
-REGIONS: list[tuple[int, str]]
-RESTITUTION_LAWS: list[tuple[int, str, str]]
-ROLLING_TYPES: list[tuple[int, str]]
-SAMPLE_COUNTS: tuple[int, int]
+PHASES: list[_Coded]
+REGIONS: list[_Code]
+RESTITUTION_LAWS: list[_Coded]
+ROLLING_TYPES: list[_Code]
+SAMPLE_COUNTS: _Counts
 SEQUENCE_CAPACITY: int
 SEQUENCE_ENCODING: str
 SEQUENCE_VERSION: int
@@ -243,9 +281,7 @@ class PhasePlane:
     def separatrix_rate(self, theta: _Reals) -> _Reals: ...
     def reverse_chatter(self, theta: _Reals, theta_rate: _Reals) -> _Reals: ...
     def level_rate(self, theta: _Reals, energy: _Reals) -> _Reals: ...
-    def curve(
-        self, name: str, theta: _Pair, theta_rate: _Pair
-    ) -> tuple[_Pieces, list[float] | None]: ...
+    def curve(self, name: str, theta: _Pair, theta_rate: _Pair) -> _DrawnCurve | None: ...
     def level(self, energy: float, theta: _Pair, theta_rate: _Pair) -> _Pieces: ...
     def rolling_region(self, theta: _Pair, theta_rate: _Pair) -> _Pieces: ...
     def equilibria(self) -> list[_Equilibrium]: ...
@@ -293,10 +329,10 @@ def write_link(
 def quantities() -> list[dict[str, Any]]: ...
 def sample_columns() -> list[dict[str, Any]]: ...
 def summary_columns() -> list[dict[str, Any]]: ...
-def swatches(dark: bool) -> list[tuple[str, str, str]]: ...
-def dashes() -> list[tuple[str, str, list[float]]]: ...
-def curves() -> list[tuple[str, str | None, float]]: ...
-def lengths() -> list[tuple[str, float]]: ...
+def swatches(dark: bool) -> list[_Colour]: ...
+def dashes() -> list[_Dash]: ...
+def curves() -> list[_Curve]: ...
+def lengths() -> dict[str, float]: ...
 def font() -> bytes: ...
 def marked(sign: str) -> str: ...
 def unicode(text: str) -> str: ...

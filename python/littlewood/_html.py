@@ -55,7 +55,8 @@ def page_html(blocks: Iterable[_core._Block]) -> str:
             label = f'<b style="min-width:6em">{escape(head[0])}</b>'
             # The spaces between quantities stay as they are.
             parts.append(
-                f'<div style="display:flex">{label}<div style="white-space:pre-wrap">{lines}</div></div>'
+                f'<div style="display:flex">{label}<div '
+                f'style="white-space:pre-wrap">{lines}</div></div>'
             )
         else:
             parts.append(f"<div><small>{escape(head[0])}</small></div>")
@@ -67,7 +68,8 @@ def _coloured(row: _core._Row) -> tuple[str, ...]:
     mode = row["mode"]
     order, name, *rest = map(escape, row["cells"])
     paint = f"background:{MODE_COLOURS[mode]};border:1px solid {FAINT}" if mode is not None else ""
-    mark = f'<span style="display:inline-block;width:0.7em;height:0.7em;margin-right:0.5em;{paint}"></span>'
+    size = "display:inline-block;width:0.7em;height:0.7em;margin-right:0.5em"
+    mark = f'<span style="{size};{paint}"></span>'
     return (order, mark + name, *rest)
 
 
@@ -85,7 +87,8 @@ def _sketch(hoop: HoopLike) -> str:
         f'<circle cx="50" cy="50" r="40" fill="none" stroke="{FAINT}" stroke-width="1.6"/>'
         f'<line x1="50" y1="50" x2="{end:.2f}" y2="{end:.2f}" stroke="{FAINT}" stroke-width="1.2"/>'
         f'<circle {along(hoop.offset)} r="5" fill="currentColor"/>'
-        f'<circle {along(hoop.h)} r="2.8" fill="none" stroke="currentColor" stroke-width="1.4"/></svg>'
+        f'<circle {along(hoop.h)} r="2.8" fill="none" stroke="currentColor" '
+        f'stroke-width="1.4"/></svg>'
     )
 
 
@@ -107,4 +110,5 @@ def hoop_html(hoop: HoopLike) -> str:
         table.append(
             (str(time.unit_sign), f"{hoop.units.time_s:.6g} {time.si_unit}", "unit of time")
         )
-    return f'<div style="display:flex;align-items:center;gap:16px">{_sketch(hoop)}{_table((), table, (0, 2))}</div>'
+    parts = _sketch(hoop) + _table((), table, (0, 2))
+    return f'<div style="display:flex;align-items:center;gap:16px">{parts}</div>'

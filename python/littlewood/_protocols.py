@@ -1,4 +1,7 @@
-"""What pictures and pages ask of hoops and motions: types, so that they need not import what shows itself."""
+"""What pictures and pages ask of hoops and motions.
+
+Types, so that they need not import what shows itself.
+"""
 
 from __future__ import annotations
 

@@ -55,7 +55,9 @@ def alpha(theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
 def rolling_half_sine(
     theta: npt.ArrayLike, theta_rate: npt.ArrayLike, elapsed: npt.ArrayLike
 ) -> Any:
-    """Sine of half the angle while rolling, sin(θ/2) = sin(θ0/2) cosh(Δτ/2) + θ0′ cos(θ0/2) sinh(Δτ/2).
+    """Sine of half the angle while rolling.
+
+    It is sin(θ/2) = sin(θ0/2) cosh(Δτ/2) + θ0′ cos(θ0/2) sinh(Δτ/2).
 
     This is (3.3) with the right α and with exponents ±(τ − τ0)/2 (printed: τ − τ0/2). It contains
     (3.5) to (3.7). Beyond ±1 the motion has ended before.
@@ -129,7 +131,9 @@ def slip_time_from_top(theta_rate: npt.ArrayLike, mu_s: npt.ArrayLike) -> Any:
 
 
 def unloading_time_from_top(theta_rate: npt.ArrayLike) -> Any:
-    """Time at which N = 0 for a hoop that rolls from the top, τ = arccosh(1/θ0′²), where cos θ = θ0′².
+    """Time at which N = 0 for a hoop that rolls from the top.
+
+    It is τ = arccosh(1/θ0′²), where cos θ = θ0′².
 
     NaN for |θ0′| > 1.
     """

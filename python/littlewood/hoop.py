@@ -10,7 +10,7 @@ from ._frozen import Frozen
 from ._html import hoop_html
 from ._internal.elementwise import real
 from .bouncing import BouncingOrbit
-from .motion import Classification, Start
+from .motion import Classification, RollingEnd, Start
 from .phase_plane import PhasePlane
 from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START
 from .trajectory import Trajectory
@@ -24,7 +24,9 @@ STANDARD_GRAVITY = _core.STANDARD_GRAVITY
 
 @dataclass(frozen=True, kw_only=True)
 class Hoop:
-    """A hoop or disc of mass m1 with a particle of mass m2, in the dimensionless parameters of (2.9).
+    """A hoop or disc with a particle, in the dimensionless parameters of (2.9).
+
+    Its mass is m1, that of the particle m2.
 
     Parameters
     ----------
@@ -162,7 +164,8 @@ class Hoop:
         # The product may be rounded.
         if inertia_kg_m2 > most * (1.0 + 1e-12):
             warnings.warn(
-                f"inertia_kg_m2 = {inertia_kg_m2:g} exceeds {most:.4g}, that of a disc with all its mass at the rim "
+                f"inertia_kg_m2 = {inertia_kg_m2:g} exceeds {most:.4g}, that of a disc with all "
+                f"its mass at the rim "
                 "(disc_mass_kg radius_m²)",
                 stacklevel=2,
             )
@@ -180,7 +183,10 @@ class Hoop:
 
     @property
     def attributes(self) -> dict[str, float | str]:
-        """Attributes of data sets: the parameters of the hoop, and the slope and the law of restitution, if any."""
+        """Attributes of data sets.
+
+        The parameters of the hoop, and the slope and the law of restitution, if any.
+        """
         named = {
             **{name: getattr(self, name) for name in HOOP},
             "restitution_law": self.restitution_law,
@@ -350,7 +356,8 @@ class Hoop:
             time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=0.0
         )
         found = _core.classify(self._given, start.numbers)
-        return Classification(**{**found, "details": Frozen(found["details"])})
+        end = found["rolling_end"] and RollingEnd(**found["rolling_end"])
+        return Classification(**{**found, "rolling_end": end, "details": Frozen(found["details"])})
 
     def bouncing_orbit(self, angle: float) -> BouncingOrbit | None:
         """Return the motion that bounces for ever with impacts at this angle.

@@ -16,7 +16,9 @@ __all__ = ["summary"]
 def summary(
     columns: Iterable[str], hoop: Hoop | None = None, **fixed: Any
 ) -> Callable[[Mapping[str, Any]], dict[str, Any]]:
-    """Return a function of quantities whose values are columns of a summary, with exact derivatives.
+    """Return a function of quantities whose values are columns of a summary.
+
+    It has exact derivatives.
 
     The function has a ``jax.custom_jvp``: ``jax.grad``, ``jax.jvp`` and the others take the
     derivatives of :func:`littlewood.simulate_many`, also through stick, slip, lift-off and impacts.
@@ -53,7 +55,8 @@ def summary(
     do not touch the gradient. A derivative that does not exist of an event that happens, as where
     the motion grazes, is NaN; ``jax.vmap`` of the gradient tells which start it is.
 
-    JAX computes in single precision unless `jax_enable_x64` is set; the motions are followed in double precision.
+    JAX computes in single precision unless `jax_enable_x64` is set; the motions are followed in
+    double precision.
 
     Examples
     --------

@@ -21,6 +21,7 @@ __all__ = [
     "Impulse",
     "Outcome",
     "Phase",
+    "RollingEnd",
     "Start",
     "State",
     "Transition",
@@ -123,14 +124,20 @@ class Phase:
 
 
 class Impulse(NamedTuple):
-    """The impulse of the plane on the body in an impact, m2 √(gR): `normal` upwards, `friction` along E1."""
+    """The impulse of the plane on the body in an impact, m2 √(gR).
+
+    `normal` upwards, `friction` along E1.
+    """
 
     normal: float
     friction: float
 
 
 class ContactVelocities(NamedTuple):
-    """The velocities that an impact changes: θ′ in √(g/R), and η′ and the rate of the gap in √(gR)."""
+    """The velocities that an impact changes.
+
+    They are θ′ in √(g/R), and η′ and the rate of the gap in √(gR).
+    """
 
     theta_rate: float
     slip: float
@@ -257,6 +264,15 @@ class Outcome:
         return printable(self.sentence)
 
 
+class RollingEnd(NamedTuple):
+    """How rolling ends: the time until then, √(R/g), θ and θ′ there, and the cause."""
+
+    elapsed: float
+    theta: float
+    theta_rate: float
+    cause: str
+
+
 @dataclass(frozen=True)
 class Classification:
     """The region of a start, and the motion that begins.
@@ -277,8 +293,8 @@ class Classification:
         1 − h cos θ θ′²: negative where the body leaves the plane.
     rolling_type : str or None
         "I", "II" or "III" for Littlewood's hoop in R (section 3a).
-    rolling_end : tuple of float, float, float and str, or None
-        Time until rolling ends, θ and θ′ there, and the cause.
+    rolling_end : RollingEnd or None
+        How rolling ends, if it does.
     reverse_chatter : float or None
         Ratio of successive bounces, if bounces can grow out of rolling: on a slope, with
         restitution.
@@ -294,7 +310,7 @@ class Classification:
     rolling_friction: float
     contact: float
     rolling_type: str | None
-    rolling_end: tuple[float, float, float, str] | None
+    rolling_end: RollingEnd | None
     reverse_chatter: float | None
     details: Mapping[str, Any]
 

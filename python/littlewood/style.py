@@ -13,27 +13,33 @@ from . import _core
 Dashes = str | tuple[float, tuple[float, ...]]
 """Dashes as Matplotlib takes them."""
 
-LENGTHS: Mapping[str, float] = MappingProxyType(dict(_core.lengths()))
-"""Widths of lines, length of a tick and sizes of letters, those of ticks small, in pixels of 1/96 inch."""
+LENGTHS: Mapping[str, float] = MappingProxyType(_core.lengths())
+"""Widths of lines, length of a tick and sizes of letters, in pixels of 1/96 inch.
+
+Those of ticks are small.
+"""
 
 _POINTS_PER_PIXEL = 72.0 / 96.0
 
 FINE, CURVE, BOLD = (_POINTS_PER_PIXEL * LENGTHS[name] for name in ("fine", "curve", "bold"))
-"""Widths of lines in points: of frames and what is beside the matter, of curves, and of emphasised ones."""
+"""Widths of lines in points.
+
+Of frames and what is beside the matter, of curves, and of emphasised ones.
+"""
 
 
 def _colours(group: str) -> Mapping[str, str]:
     return MappingProxyType(
-        {name: colour for kind, name, colour in _core.swatches(False) if kind == group}
+        {row["name"]: row["colour"] for row in _core.swatches(False) if row["group"] == group}
     )
 
 
 def _dashes(group: str) -> Mapping[str, Dashes]:
     return MappingProxyType(
         {
-            name: (0.0, tuple(pattern)) if pattern else "solid"
-            for kind, name, pattern in _core.dashes()
-            if kind == group
+            row["name"]: (0.0, tuple(row["pattern"])) if row["pattern"] else "solid"
+            for row in _core.dashes()
+            if row["group"] == group
         }
     )
 
@@ -48,7 +54,9 @@ CLASS_COLOURS: Mapping[str, str] = _colours("class")
 """Colours of the classes of outcomes in maps, by their names."""
 
 CURVE_COLOURS: Mapping[str, str] = _colours("curve")
-"""Colours of the curves of the (θ, θ′) plane: slip_limit (f), normal_force_zero (n), separatrix, lift_off,
+"""Colours of the curves of the (θ, θ′) plane.
+
+They are slip_limit (f), normal_force_zero (n), separatrix, lift_off,
 chatter, level."""
 
 CURVE_DASHES: Mapping[str, Dashes] = _dashes("curve")
@@ -58,12 +66,12 @@ LIST_DASHES: tuple[Dashes, ...] = tuple(_dashes("dash").values())
 """Dashes of the lines of a list, by which they are told apart in grey."""
 
 CURVE_WIDTHS: Mapping[str, float] = MappingProxyType(
-    {name: _POINTS_PER_PIXEL * width for name, _, width in _core.curves()}
+    {row["name"]: _POINTS_PER_PIXEL * row["width"] for row in _core.curves()}
 )
 """Widths of these curves in points."""
 
 CURVE_LETTERS: Mapping[str, str] = MappingProxyType(
-    {name: letter for name, letter, _ in _core.curves() if letter is not None}
+    {row["name"]: row["letter"] for row in _core.curves() if row["letter"] is not None}
 )
 """Letters of the curves that have one in the paper."""
 

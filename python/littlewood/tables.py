@@ -5,7 +5,7 @@ Names, codes, labels and units stand in the core alone; this module gives them t
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from . import _core
@@ -60,6 +60,10 @@ class SummaryColumn(NamedTuple):
     long_name: str
 
 
+def _labels(rows: Iterable[_core._Coded]) -> Mapping[str, str]:
+    return Frozen((row["name"], row["label"]) for row in rows)
+
+
 QUANTITIES: Mapping[str, Quantity] = Frozen(
     (row["name"], Quantity(**row)) for row in _core.quantities()
 )
@@ -71,7 +75,7 @@ HOOP: tuple[str, ...] = tuple(_core.HOOP)
 START: tuple[str, ...] = tuple(_core.START)
 """Names of the numbers of a start."""
 
-FRICTION: str = _core.FRICTION[0]
+FRICTION: str = _core.FRICTION["name"]
 """Name of the axis that both coefficients of friction share."""
 
 AXES: tuple[str, ...] = tuple(_core.AXES)
@@ -105,49 +109,56 @@ PROOFS: tuple[str, ...] = tuple(_core.PROOFS)
 PROOF: str = _core.PROOF
 """What is enough by default."""
 
-MODES: tuple[str, ...] = tuple(name for _, name in _core.MODES)
-"""Names of the modes of motion; their places are the codes in arrays. Outside a motion the code is -1."""
+MODES: tuple[str, ...] = tuple(row["name"] for row in _core.MODES)
+"""Names of the modes of motion.
 
-MODE_CODES: Mapping[str, int] = Frozen((name, code) for code, name in _core.MODES)
+Their places are the codes in arrays. Outside a motion the code is -1.
+"""
+
+MODE_CODES: Mapping[str, int] = Frozen((row["name"], row["code"]) for row in _core.MODES)
 """Codes of the modes by their names."""
 
-CAUSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CAUSES)
+CAUSES: tuple[str, ...] = tuple(row["name"] for row in _core.CAUSES)
 """Names of the causes of transitions."""
 
-CAUSE_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label in _core.CAUSES)
+CAUSE_LABELS: Mapping[str, str] = _labels(_core.CAUSES)
 """Causes in words."""
 
-IMPACT_CASES: tuple[str, ...] = tuple(name for _, name, _ in _core.IMPACT_CASES)
+IMPACT_CASES: tuple[str, ...] = tuple(row["name"] for row in _core.IMPACT_CASES)
 """Names of what the contact point does in an impact."""
 
-IMPACT_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label in _core.IMPACT_CASES)
+IMPACT_LABELS: Mapping[str, str] = _labels(_core.IMPACT_CASES)
 """The same in words."""
 
-RESTITUTION_LAWS: tuple[str, ...] = tuple(name for _, name, _ in _core.RESTITUTION_LAWS)
+RESTITUTION_LAWS: tuple[str, ...] = tuple(row["name"] for row in _core.RESTITUTION_LAWS)
 """Names of the laws of restitution."""
 
-LAW_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label in _core.RESTITUTION_LAWS)
+LAW_LABELS: Mapping[str, str] = _labels(_core.RESTITUTION_LAWS)
 """Laws of restitution in words."""
 
-OUTCOMES: Mapping[int, str] = Frozen((code, name) for code, name, _, _ in _core.OUTCOMES)
-"""Names of the outcomes by their codes in arrays; `not_computed` and `invalid` are those of points without a motion."""
+OUTCOMES: Mapping[int, str] = Frozen((row["code"], row["name"]) for row in _core.OUTCOMES)
+"""Names of the outcomes by their codes in arrays.
 
-OUTCOME_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label, _ in _core.OUTCOMES)
+`not_computed` and `invalid` are those of points without a motion.
+"""
+
+OUTCOME_LABELS: Mapping[str, str] = _labels(_core.OUTCOMES)
 """Outcomes in words."""
 
-FINAL_OUTCOMES: frozenset[str] = frozenset(
-    name for _, name, _, is_final in _core.OUTCOMES if is_final
-)
+FINAL_OUTCOMES: frozenset[str] = frozenset(row["name"] for row in _core.OUTCOMES if row["is_final"])
 """Names of the outcomes of motions that have been followed to their end."""
 
-CLASSES: tuple[str, ...] = tuple(name for _, name, _ in _core.CLASSES)
+CLASSES: tuple[str, ...] = tuple(row["name"] for row in _core.CLASSES)
 """Names of the classes of outcomes that maps show; their places are the codes in arrays."""
 
-CLASS_LABELS: Mapping[str, str] = Frozen((name, label) for _, name, label in _core.CLASSES)
+CLASS_LABELS: Mapping[str, str] = _labels(_core.CLASSES)
 """Classes in words."""
 
-REGIONS: tuple[str, ...] = tuple(name for _, name in _core.REGIONS)
-"""Names of the regions that a start lies in, by the codes of :meth:`littlewood.phase_plane.PhasePlane.region`."""
+REGIONS: tuple[str, ...] = tuple(row["name"] for row in _core.REGIONS)
+"""Names of the regions that a start lies in.
 
-ROLLING_TYPES: tuple[str, ...] = ("", *(name for _, name in _core.ROLLING_TYPES))
+Their places are the codes of :meth:`littlewood.phase_plane.PhasePlane.region`.
+"""
+
+ROLLING_TYPES: tuple[str, ...] = ("", *(row["name"] for row in _core.ROLLING_TYPES))
 """Names of the types of rolling; their places are the codes in arrays, 0 for none."""

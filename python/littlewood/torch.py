@@ -15,7 +15,9 @@ __all__ = ["summary"]
 def summary(
     columns: Iterable[str], hoop: Hoop | None = None, **fixed: Any
 ) -> Callable[[Mapping[str, Any]], dict[str, Any]]:
-    """Return a function of quantities whose values are columns of a summary, with exact derivatives.
+    """Return a function of quantities whose values are columns of a summary.
+
+    It has exact derivatives.
 
     Its gradients are the derivatives of :func:`littlewood.simulate_many`, also through stick, slip,
     lift-off and impacts: an ``torch.autograd.Function``, which is differentiated once. The motions

@@ -94,7 +94,10 @@ class Trajectory:
 
     @cached_property
     def phases(self) -> tuple[Phase, ...]:
-        """The phases in order. Empty where no motion, or more than one, is consistent at the start."""
+        """The phases in order.
+
+        Empty where no motion, or more than one, is consistent at the start.
+        """
         return tuple(
             Phase(
                 mode=one["mode"],
@@ -130,7 +133,10 @@ class Trajectory:
         )
 
     def end_of(self, phase: Phase) -> Transition | None:
-        """Return the transition that ends a phase; None for the last of a stopped or endless motion."""
+        """Return the transition that ends a phase.
+
+        None for the last of a stopped or endless motion.
+        """
         return None if phase.ended_by is None else self.transitions[phase.ended_by]
 
     def impacts(self) -> pandas.DataFrame:
@@ -210,7 +216,9 @@ class Trajectory:
     def __call__(
         self, times: npt.ArrayLike, *, side: Literal["after", "before"] = "after"
     ) -> Samples:
-        """Return the motion at some times, as the dense output of a SciPy solver does: ``motion(t)``.
+        """Return the motion at some times, as the dense output of a SciPy solver does.
+
+        ``motion(t)``.
 
         Parameters
         ----------
@@ -258,7 +266,7 @@ class Trajectory:
             and as the first of the phase that begins, because forces may jump there, and velocities
             in an impact.
         """
-        number = checked_count("count", count, *_core.SAMPLE_COUNTS)
+        number = checked_count("count", count, **_core.SAMPLE_COUNTS)
         if until is None:
             until = self.shown_until
         until = real(until, "until")
@@ -379,9 +387,12 @@ class Trajectory:
 
         Notes
         -----
-        A number reads back as the same number; what is not finite is null. Of a hoop with units it has SI values, too.
+        A number reads back as the same number; what is not finite is null. Of a hoop with
+        units it has SI values, too.
         """
-        count = None if samples is None else checked_count("samples", samples, *_core.SAMPLE_COUNTS)
+        count = (
+            None if samples is None else checked_count("samples", samples, **_core.SAMPLE_COUNTS)
+        )
         text = self._core.json(count, None if self.hoop.units is None else self.hoop.units.scales)
         if path is None:
             return text
@@ -420,8 +431,8 @@ class Trajectory:
 
         Notes
         -----
-        An event g(y, p) = 0 ends a phase y′ = f(y, p), and y⁺ = R(y, p) is the state after it. With a quantity p,
-        and the derivative (δy)_τ at a fixed time,
+        An event g(y, p) = 0 ends a phase y′ = f(y, p), and y⁺ = R(y, p) is the state after
+        it. With a quantity p, and the derivative (δy)_τ at a fixed time,
 
         .. math:: \delta\tau = -\frac{g_y (\delta y)_\tau + g_p}{g'}, \qquad
                   \delta y = (\delta y)_\tau + y' \delta\tau, \qquad \delta y^+ = R_y\, \delta y +

@@ -17,12 +17,16 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @pytest.fixture(scope="session")
 def binary() -> Path:
-    """The command line: LITTLEWOOD_BIN, or what `cargo build -p littlewood-cli --features full` makes."""
+    """The command line.
+
+    It is LITTLEWOOD_BIN, or what `cargo build -p littlewood-cli --features full` makes.
+    """
     target = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
     path = Path(os.environ.get("LITTLEWOOD_BIN", target / "debug" / "littlewood"))
     if not path.is_file():
         pytest.fail(
-            f"no command line at {path}: run `cargo build -p littlewood-cli --features full`, or set LITTLEWOOD_BIN"
+            f"no command line at {path}: run `cargo build -p littlewood-cli --features full`, or "
+            f"set LITTLEWOOD_BIN"
         )
     return path
 

@@ -55,7 +55,10 @@ def test_a_picture_is_the_mean_over_its_exposure(motion):
 
 
 def test_displacements_are_those_of_homographies():
-    """A particle and its centre through homographies close to the identity, against the displacements."""
+    """A particle and its centre through homographies close to the identity.
+
+    They are held against the displacements.
+    """
     theta, x, y = np.linspace(-3.0, 3.0, 7), np.linspace(-2.0, 4.0, 7), np.linspace(0.5, 1.5, 7)
     size = 1e-6
     changes = {
@@ -212,7 +215,10 @@ def test_slow_errors_are_told_from_others():
 @pytest.mark.thorough
 @pytest.mark.filterwarnings("ignore::littlewood.fitting.FitWarning")
 def test_intervals_hold_with_slow_errors(motion):
-    """Errors over standard errors of 10 tracks are numbers of size 1, which those of independent errors are not."""
+    """Errors over standard errors of 10 tracks are numbers of size 1.
+
+    Those of independent errors are not.
+    """
     found, believed = [], []
     time = np.linspace(0.0, 6.0, 120)
     seen = Exposures(motion, time, 0.0).positions

@@ -536,7 +536,10 @@ def test_a_landing_at_rest_rolls_where_flight_is_consistent() -> None:
 
 
 def test_rolling_down_a_slope_has_its_closed_form() -> None:
-    """ℓ = 0: x″ = −m sin α/D with D = Î + m, so that at the end of time θ = θ0 + θ0′ t + m sin α t²/2D."""
+    """With ℓ = 0, x″ = −m sin α/D with D = Î + m.
+
+    At the end of time θ = θ0 + θ0′ t + m sin α t²/2D.
+    """
     certificate = certify(Case((1.0, 0.0, 0.5, 0.5, 0.4), (0.25, 0.5, 0.0, 0.0), 3.0, slope=0.3))
     with precision(256):
         sin, _ = sine_and_cosine(Range.of(Fraction(0.3)))
@@ -959,8 +962,9 @@ def test_the_checker_reads_what_the_schema_allows(schema: Any) -> None:
 
 
 VALUES = (
-    None, True, False, 0, 1, -1, 2, 0.5, -0.5, 1.0, 2.0, 1e308, "", "rolling", "1/4", "0.5", "si", "dimensionless",
-    "energetic", [], {}, ["0", "0"], ["0"], ["0", "0", "0"], ["x", "0"], {"a": ["0", "1e-40"]}, {"restitution": 1},
+    None, True, False, 0, 1, -1, 2, 0.5, -0.5, 1.0, 2.0, 1e308, "", "rolling", "1/4", "0.5",
+    "si", "dimensionless", "energetic", [], {}, ["0", "0"], ["0"], ["0", "0", "0"], ["x", "0"],
+    {"a": ["0", "1e-40"]}, {"restitution": 1},
 )  # fmt: skip
 KEYS = (
     "reason",

@@ -44,7 +44,10 @@ def test_both_print_the_same_page(command, name):
 
 
 def with_impacts(count):
-    """Hoops that are not massless, with a coefficient of restitution and a law; some are thrown from the plane."""
+    """Hoops that are not massless, with a coefficient of restitution and a law.
+
+    Some are thrown from the plane.
+    """
     random = np.random.default_rng(1986)
     problems = (
         (hoop, start)
@@ -229,7 +232,8 @@ def test_what_is_printed_fits_the_terminal(encoding):
     code = """
 import littlewood as lw
 motion = lw.case("figure-3-bounces").simulate()
-for one in (motion, motion.outcome, lw.Noise(0.1, 0.2, 3.0), lw.fitting.Doubt("held", "μₛ, Δτ ≤ 1, Î, Ŝ²")):
+doubt = lw.fitting.Doubt("held", "μₛ, Δτ ≤ 1, Î, Ŝ²")
+for one in (motion, motion.outcome, lw.Noise(0.1, 0.2, 3.0), doubt):
     print(one)
 """
     environment = {**os.environ, "PYTHONIOENCODING": encoding}

@@ -1,4 +1,7 @@
-"""Counts without measure: refused with the bound, before anything is allocated. None ends the interpreter."""
+"""Counts without measure.
+
+Refused with the bound, before anything is allocated. None ends the interpreter.
+"""
 
 import subprocess
 import sys

@@ -51,7 +51,8 @@ def test_columns_are_the_derivatives_of_the_events() -> None:
         expected = [_of_motion(name, theta=2.5, theta_rate=rate, until=20.0) for rate in rates]
         np.testing.assert_allclose(found[name], expected, rtol=1e-12, atol=1e-14)
     assert found["lift_off_time_by_theta"].attrs == {
-        "long_name": "derivative of the time of lift-off by the angle of the particle from the upward vertical",
+        "long_name": "derivative of the time of lift-off by the angle of the particle from the "
+        "upward vertical",
         "units": "rad-1",
         "scale": "sqrt(R/g)",
     }

@@ -53,7 +53,10 @@ def test_a_good_fit_has_no_doubts(motion):
 
 
 def test_a_held_coefficient_that_the_track_contradicts(motion):
-    """The how-to for films held μs at a guess of 0.6, and printed a friction that was wrong by 34 standard errors."""
+    """The how-to for films held μs at a guess of 0.6.
+
+    It printed a friction that was wrong by 34 standard errors.
+    """
     wrong = dataclasses.replace(motion.hoop, mu_s=0.6)
     result, raised = fitted(track_of(motion), motion, hoop=wrong, free=("mu_k", "inertia"))
     assert "mu_s" in raised["held"].parameters
@@ -136,7 +139,10 @@ def test_sequences_that_compete(motion):
 
 
 def test_a_held_coefficient_that_the_track_does_not_show():
-    """A slip that follows a slide at once: μk makes up for μs, and the residuals are those of noise."""
+    """A slip that follows a slide at once.
+
+    So μk makes up for μs, and the residuals are those of noise.
+    """
     hoop = lw.Hoop(mass_ratio=0.54, offset=0.9, inertia=0.52, mu_s=0.6, mu_k=0.5)
     start = {"theta": -2.41, "theta_rate": -1.89, "slip": 1.4}
     motion = hoop.simulate(**start)
@@ -184,7 +190,10 @@ def test_the_profile_has_one_side_where_there_is_no_slip():
 
 
 def test_tests_of_residuals_seldom_speak_of_noise():
-    """Of 2,000 series of noise at most a handful may be doubted: each test is one of 4.2 standard deviations."""
+    """Of 2,000 series of noise at most a handful may be doubted.
+
+    Each test is one of 4.2 standard deviations.
+    """
     random, spoken = np.random.default_rng(5), 0
     for _ in range(2000):
         noise = random.normal(0.0, 0.01, 150)

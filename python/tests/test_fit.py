@@ -35,7 +35,10 @@ def tracked(motion, seed, *, count=300, end=None, channels=("theta", "x")):
 
 
 def searched(seed):
-    """Whether a fit of many searches for the minimum. The others begin in it: what they test is its width."""
+    """Whether a fit of many searches for the minimum. The others begin in it.
+
+    What they test is its width.
+    """
     return seed < 2
 
 
@@ -151,7 +154,10 @@ def test_one_thing_at_a_time(hoop):
 
 @pytest.mark.parametrize("channels", [("x",), ("x", "y")])
 def test_the_centre_alone(hoop, guess, channels):
-    """A position says nothing of the angle, nor of its rate where the hoop slips: the fit finds both."""
+    """A position says nothing of the angle, nor of its rate where the hoop slips.
+
+    The fit finds both.
+    """
     result = lw.fit(
         tracked(hoop.simulate(**THROW), 5, channels=channels), guess, slips_at_start=True
     )

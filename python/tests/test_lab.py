@@ -1,4 +1,7 @@
-"""The laboratory in a notebook, and the links of the page. web/tests/notebook.spec.ts tests the side of the page."""
+"""The laboratory in a notebook, and the links of the page.
+
+web/tests/notebook.spec.ts tests the side of the page.
+"""
 
 import math
 
@@ -9,7 +12,10 @@ import littlewood as lw
 from littlewood.lab import LinkError, link_of, motion_of, time_of, widget
 from littlewood.tables import HOOP
 
-HULA = "disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081&mu_s=0.5&mu_k=0.4"
+HULA = (
+    "disc_mass_kg=0.4&particle_mass_kg=0.14&radius_m=0.45&offset_m=0.45&inertia_kg_m2=0.081"
+    "&mu_s=0.5&mu_k=0.4"
+)
 
 
 @pytest.fixture(autouse=True)
@@ -85,7 +91,8 @@ def test_a_build_without_the_page_says_so(tmp_path, monkeypatch):
     [
         ("case=figure-3&mu_k=0.3", {"mu_k": 0.3}),
         (
-            "#case=figure-3&at=0.3&embed=1&theme=dark&rate=4&speed=0.25&loop=1&map=0&shows=hops&follow=0",
+            "#case=figure-3&at=0.3&embed=1&theme=dark&rate=4&speed=0.25&loop=1&map=0&shows=hops"
+            "&follow=0",
             {},
         ),
         (

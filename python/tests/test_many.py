@@ -46,7 +46,10 @@ def test_a_few_starts_are_those_of_simulate(hoop):
 
 
 def impacts_of(motion):
-    """Number of landings, energy lost in impacts, and time from which on the rim stays at the plane."""
+    """Number of landings, energy lost in impacts, and a time.
+
+    From that time on the rim stays at the plane.
+    """
     events = [one for one in motion.transitions if one.impact is not None]
     stays = [one.time for one in events if one.from_mode == "flight" and one.to_mode != "flight"]
     away = any(

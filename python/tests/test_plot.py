@@ -94,7 +94,7 @@ def test_classes_tell_jumps_apart(motion):
 
 def summaries(outcome, *, letter="R", lift_off_time=math.nan):
     """Summaries of motions of one phase, with these outcomes."""
-    code = next(code for code, name, _ in lw._core.PHASES if name == letter)
+    code = next(row["code"] for row in lw._core.PHASES if row["name"] == letter)
     return xarray.Dataset(
         {
             "outcome": ("start", np.array(outcome, dtype=np.uint8)),

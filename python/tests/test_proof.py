@@ -23,7 +23,10 @@ DRAWN = Path(__file__).resolve().parents[2] / "docs" / "proofs"
 
 
 def of_each_family():
-    """The shortest certificate of each family, two of the paper that glide and settle, and a throw with a leap."""
+    """The shortest certificate of each family, and more.
+
+    Two of the paper that glide and settle, and a throw with a leap.
+    """
     names = {}
     for path in sorted(CERTIFICATES.glob("*.json"), key=lambda one: one.stat().st_size):
         names.setdefault(json.loads(path.read_text(encoding="utf-8"))["case"]["family"], path.stem)

@@ -1,4 +1,7 @@
-"""The modules of the package: which names users see, and that none import each other in a circle."""
+"""The modules of the package.
+
+Which names users see, and that none import each other in a circle.
+"""
 
 import ast
 import subprocess
@@ -11,7 +14,8 @@ import pytest
 import littlewood as lw
 
 PACKAGE = Path(lw.__file__).parent
-# A motion hands out the hoop that it is of, and a hoop makes motions: the types of both are what users name.
+# A motion hands out the hoop that it is of, and a hoop makes motions: the types of both are what
+# users name.
 TYPE_OF_THE_HOOP = ("trajectory", "hoop")
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
@@ -29,7 +33,10 @@ MODULES = {_name(file): file for file in sorted(PACKAGE.rglob("*.py"))}
 
 
 def _statements(node):
-    """Yield what runs when a module is imported, or a type checker reads it: nothing within functions."""
+    """Yield what runs when a module is imported, or a type checker reads it.
+
+    Nothing within functions.
+    """
     for child in ast.iter_child_nodes(node):
         if not isinstance(child, FUNCTIONS):
             yield child

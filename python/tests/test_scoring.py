@@ -200,7 +200,10 @@ def test_flags_of_contact_are_believed(motion, instants, columns, end):
 
 @pytest.mark.parametrize(("late", "verdict"), [(0.02, "cut"), (-0.02, "found")])
 def test_a_landing_at_the_end_of_a_record_is_not_missed(motion, late, verdict):
-    """The record stops where the exact motion does: a late landing cannot be in it, an early one is."""
+    """The record stops where the exact motion does.
+
+    A late landing cannot be in it, an early one is.
+    """
     end = motion.end_time
     instants = np.append(np.arange(0.0, end, STEP), end)
     flies = np.maximum(instants - late, 0.0)

@@ -1,4 +1,7 @@
-"""Names, codes, labels, units and colours stand in the core: what the package says by itself agrees with them."""
+"""Names, codes, labels, units and colours stand in the core.
+
+What the package says by itself agrees with them.
+"""
 
 import dataclasses
 import inspect
@@ -16,7 +19,8 @@ from littlewood.sweep import Quantities
 
 PACKAGE = Path(lw.__file__).parent
 LIMITS = ["until", "max_transitions", "max_slides", "proof"]
-SI_STATE = [tables.SAMPLE_COLUMNS[name].si_name for name in _core.STATE]
+STATE = [*lw.case("figure-3").simulate()._core.outcome()["state"]]
+SI_STATE = [tables.SAMPLE_COLUMNS[name].si_name for name in STATE]
 
 
 def arguments(function):
@@ -37,7 +41,7 @@ def arguments(function):
             lw.Hoop.simulate_si,
             [*SI_STATE, "gap_rate_m_per_s", "until_s", "max_transitions", "max_slides", "proof"],
         ),
-        (lw.motion.State, _core.STATE),
+        (lw.motion.State, STATE),
     ],
 )
 def test_arguments_are_those_of_the_table(function, names):
@@ -79,7 +83,7 @@ def test_defaults_are_those_of_the_table(function):
 def test_a_start_is_a_state_and_the_rate_of_the_gap():
     names = [field.name for field in dataclasses.fields(lw.Start)]
     assert sorted(tables.START) == sorted(names)
-    assert [name for name in names if name not in _core.STATE] == ["gap_rate"]
+    assert [name for name in names if name not in STATE] == ["gap_rate"]
     assert all(isinstance(case.start, lw.Start) for case in lw.CASES.values())
 
 
@@ -95,12 +99,13 @@ def test_a_start_is_a_state_and_the_rate_of_the_gap():
     ],
 )
 def test_codes_are_places(names, rows):
-    assert [(code, name) for code, name, *_ in rows] == list(enumerate(names))
+    assert [(row["code"], row["name"]) for row in rows] == list(enumerate(names))
     assert len(set(names)) == len(names)
 
 
 def test_codes_of_types_of_rolling_are_places():
-    assert [(0, ""), *_core.ROLLING_TYPES] == list(enumerate(lw.closed_form.ROLLING_TYPES))
+    rows = [(row["code"], row["name"]) for row in _core.ROLLING_TYPES]
+    assert [(0, ""), *rows] == list(enumerate(lw.closed_form.ROLLING_TYPES))
 
 
 def test_outcomes_have_their_codes_in_attributes():
@@ -123,7 +128,7 @@ def test_the_documentation_lists_the_columns(hoop):
 def test_the_documentation_knows_the_numbers():
     for text in (lw.sequence_names.__doc__, lw.Trajectory.sequence.__doc__):
         assert f"more than {_core.SEQUENCE_CAPACITY}" in text
-        for _, letter, _ in _core.PHASES:
+        for letter in (row["name"] for row in _core.PHASES):
             assert re.search(rf"(^|[\s(]){re.escape(letter)}[\s,;]", text), letter
 
 
@@ -167,10 +172,10 @@ def test_every_mode_class_and_curve_has_a_look():
     assert list(style.CLASS_COLOURS) == list(lw.tables.CLASSES)
     assert list(style.CURVE_COLOURS) == list(style.CURVE_DASHES) == list(style.CURVE_WIDTHS)
     light, dark = (
-        {(group, name) for group, name, _ in _core.swatches(paper)} for paper in (False, True)
+        {(row["group"], row["name"]) for row in _core.swatches(paper)} for paper in (False, True)
     )
     assert light == dark
-    for _, _, colour in _core.swatches(False):
+    for colour in (row["colour"] for row in _core.swatches(False)):
         assert re.fullmatch("#[0-9a-f]{6}", colour)
 
 

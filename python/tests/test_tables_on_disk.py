@@ -1,4 +1,7 @@
-"""What other programs read: tables in Parquet, stores and data sets as netCDF, and colours of films."""
+"""What other programs read.
+
+Tables in Parquet, stores and data sets as netCDF, and colours of films.
+"""
 
 import json
 import math

@@ -268,9 +268,9 @@ def test_classification(hoop):
     assert found.rolling_normal < 0.0 < found.contact
     massless = lw.case("figure-7").hoop.classify(theta=0.0, theta_rate=0.5)
     assert massless.rolling_type == "III"
-    elapsed, theta, rate, cause = massless.rolling_end
+    end = massless.rolling_end
     # Figure 7: τ_s = ln 5, cos θ_s = 3/5, θ′ = 3/4.
-    assert (elapsed, math.cos(theta), rate, cause) == (
+    assert (end.elapsed, math.cos(end.theta), end.theta_rate, end.cause) == (
         pytest.approx(math.log(5)),
         pytest.approx(0.6),
         pytest.approx(0.75),

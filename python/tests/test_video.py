@@ -168,7 +168,10 @@ def test_a_long_exposure_blurs_and_does_not_shift(hoop, motion, tmp_path):
 
 
 def without_noise(motion, part):
-    """Errors of the centre in pictures without noise, and by how much middle and mean of an exposure differ."""
+    """Errors of the centre in pictures without noise.
+
+    By how much middle and mean of an exposure differ.
+    """
     exposure = part / RATE
     look = video.Look(noise=0.0, texture=0.0)
     seen = list(video.synthetic_frames(motion, CAMERA, exposure_s=exposure, look=look, seconds=0.8))
@@ -331,7 +334,10 @@ def box(kind, *content):
 
 
 def changed(content, path, change):
-    """The boxes of a file of MPEG-4, of which that at a path is changed; lengths of those around it follow."""
+    """The boxes of a file of MPEG-4, of which that at a path is changed.
+
+    Lengths of those around it follow.
+    """
     out, begin = b"", 0
     while begin < len(content):
         length, kind = struct.unpack_from(">I4s", content, begin)

@@ -484,6 +484,15 @@ fn add_candidates(dict: &Bound<'_, PyDict>, candidates: Option<Candidates>) -> P
     add_details(dict, candidates.details())
 }
 
+/// How rolling ends: after a time, at an angle and a rate.
+#[derive(IntoPyObject)]
+struct RollingEndDict {
+    elapsed: f64,
+    theta: f64,
+    theta_rate: f64,
+    cause: &'static str,
+}
+
 /// Where a start lies, as a dictionary.
 #[pyfunction]
 pub(crate) fn classify(
@@ -503,13 +512,11 @@ pub(crate) fn classify(
     dict.set_item("rolling_friction", found.rolling_forces.friction)?;
     dict.set_item("contact", found.contact)?;
     dict.set_item("rolling_type", found.rolling_type.map(RollingType::name))?;
-    let end = found.rolling_end.map(|end| {
-        (
-            end.elapsed,
-            end.theta,
-            end.theta_rate,
-            end.limit.cause().name(),
-        )
+    let end = found.rolling_end.map(|end| RollingEndDict {
+        elapsed: end.elapsed,
+        theta: end.theta,
+        theta_rate: end.theta_rate,
+        cause: end.limit.cause().name(),
     });
     dict.set_item("rolling_end", end)?;
     dict.set_item("reverse_chatter", found.reverse_chatter)?;

@@ -5,56 +5,88 @@ use littlewood_draw::{LETTER, SMALL, TICK};
 use littlewood_style::{Curve, Dash, Theme, dash_of, swatches, width};
 use pyo3::prelude::*;
 
-/// The colours on a light or a dark paper: group, name, colour as `#rrggbb`.
+use crate::record::ByName;
+
+/// A colour as `#rrggbb`.
+#[derive(IntoPyObject)]
+pub(crate) struct ColourDict {
+    group: &'static str,
+    name: &'static str,
+    colour: String,
+}
+
+/// The colours on a light or a dark paper.
 #[pyfunction]
 #[pyo3(name = "swatches")]
-pub(crate) fn swatches_of(dark: bool) -> Vec<(&'static str, &'static str, String)> {
+pub(crate) fn swatches_of(dark: bool) -> Vec<ColourDict> {
     let theme = if dark { Theme::Dark } else { Theme::Light };
     swatches(theme)
         .into_iter()
-        .map(|swatch| (swatch.group, swatch.name, swatch.colour.hex()))
+        .map(|swatch| ColourDict {
+            group: swatch.group,
+            name: swatch.name,
+            colour: swatch.colour.hex(),
+        })
         .collect()
 }
 
-/// All dashes, and those of modes and curves: group, name, lengths of dashes and gaps over the
-/// width of the line; none if solid.
-#[pyfunction]
-pub(crate) fn dashes() -> Vec<(&'static str, &'static str, Vec<f64>)> {
-    let modes = Mode::ALL
-        .into_iter()
-        .map(|mode| ("mode", mode.name(), dash_of(mode)));
-    let curves = Curve::ALL
-        .into_iter()
-        .map(|curve| ("curve", curve.name(), curve.dash()));
-    let all = Dash::ALL
-        .into_iter()
-        .map(|dash| ("dash", dash.name(), dash));
-    modes
-        .chain(curves)
-        .chain(all)
-        .map(|(group, name, dash)| (group, name, dash.pattern().to_vec()))
-        .collect()
+/// The lengths of the dashes and gaps of a line over its width; none if it is solid.
+#[derive(IntoPyObject)]
+pub(crate) struct DashDict {
+    group: &'static str,
+    name: &'static str,
+    pattern: Vec<f64>,
 }
 
-/// The curves of the (θ, θ′) plane: name, letter of the paper, width in pixels of 1/96 inch.
+impl DashDict {
+    fn of(group: &'static str, name: &'static str, dash: Dash) -> Self {
+        Self {
+            group,
+            name,
+            pattern: dash.pattern().to_vec(),
+        }
+    }
+}
+
+/// All dashes, and those of modes and curves.
 #[pyfunction]
-pub(crate) fn curves() -> Vec<(&'static str, Option<&'static str>, f64)> {
-    Curve::ALL
-        .map(|curve| (curve.name(), curve.letter(), curve.width()))
-        .to_vec()
+pub(crate) fn dashes() -> Vec<DashDict> {
+    let modes = Mode::ALL.map(|mode| DashDict::of("mode", mode.name(), dash_of(mode)));
+    let curves = Curve::ALL.map(|curve| DashDict::of("curve", curve.name(), curve.dash()));
+    let all = Dash::ALL.map(|dash| DashDict::of("dash", dash.name(), dash));
+    modes.into_iter().chain(curves).chain(all).collect()
+}
+
+/// A curve of the (θ, θ′) plane: its letter in the paper, and its width in pixels of 1/96 inch.
+#[derive(IntoPyObject)]
+pub(crate) struct CurveDict {
+    name: &'static str,
+    letter: Option<&'static str>,
+    width: f64,
+}
+
+/// The curves of the (θ, θ′) plane.
+#[pyfunction]
+pub(crate) fn curves() -> Vec<CurveDict> {
+    let row = |curve: Curve| CurveDict {
+        name: curve.name(),
+        letter: curve.letter(),
+        width: curve.width(),
+    };
+    Curve::ALL.map(row).into()
 }
 
 /// Lengths in pixels of 1/96 inch: widths of lines, a tick, and letters.
 #[pyfunction]
-pub(crate) fn lengths() -> Vec<(&'static str, f64)> {
-    vec![
+pub(crate) fn lengths() -> ByName<f64> {
+    ByName::from([
         ("fine", width::FINE),
         ("curve", width::CURVE),
         ("bold", width::BOLD),
         ("tick", TICK),
         ("letter", LETTER),
         ("small", SMALL),
-    ]
+    ])
 }
 
 /// The letters of all pictures as a TrueType font.

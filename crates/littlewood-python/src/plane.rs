@@ -9,6 +9,13 @@ use pyo3::prelude::*;
 use crate::error::refuse;
 use crate::record::{GivenHoop, hoop};
 
+/// A curve of the plane in a window: its pieces, and the place of its letter, if it has one.
+#[derive(IntoPyObject)]
+pub(crate) struct DrawnCurve {
+    pieces: Pieces,
+    place_of_letter: Option<[f64; 2]>,
+}
+
 /// An equilibrium: its angle, its kind, and its frequency or exponent.
 #[derive(IntoPyObject)]
 pub(crate) struct EquilibriumDict {
@@ -84,13 +91,13 @@ methods! {
         energies.into_pyarray(py)
     }
 
-    /// The pieces of the curve of this name in a window, [from, to] of θ and of θ′, and the place
-    /// of its letter; `None` for an unknown name.
-    fn curve(&self, name: &str, theta: [f64; 2], theta_rate: [f64; 2]) -> (Pieces, Option<[f64; 2]>) {
+    /// The curve of this name in a window, [from, to] of θ and of θ′; none for an unknown name.
+    fn curve(&self, name: &str, theta: [f64; 2], theta_rate: [f64; 2]) -> Option<DrawnCurve> {
         let window = Window { x: theta, y: theta_rate };
-        let curve = Curve::ALL.into_iter().find(|curve| curve.name() == name);
-        curve.map_or((Vec::new(), None), |curve| {
-            (curve.pieces(&self.plane, &window), curve.place_of_letter(&self.plane, &window))
+        let curve = Curve::ALL.into_iter().find(|curve| curve.name() == name)?;
+        Some(DrawnCurve {
+            pieces: curve.pieces(&self.plane, &window),
+            place_of_letter: curve.place_of_letter(&self.plane, &window),
         })
     }
 

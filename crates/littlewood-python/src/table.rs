@@ -172,61 +172,87 @@ fn names<const N: usize>(quantities: [Quantity; N]) -> Vec<&'static str> {
     quantities.map(Quantity::name).to_vec()
 }
 
+/// An item of a table of codes, and what it is in words.
+#[derive(IntoPyObject)]
+struct Coded {
+    code: u8,
+    name: &'static str,
+    label: &'static str,
+}
+
+/// An outcome.
+#[derive(IntoPyObject)]
+struct OutcomeRow {
+    code: u8,
+    name: &'static str,
+    label: &'static str,
+    is_final: bool,
+}
+
+/// An item of a table of codes without other words.
+#[derive(IntoPyObject)]
+struct Code {
+    code: u8,
+    name: &'static str,
+}
+
+/// An axis that is no quantity.
+#[derive(IntoPyObject)]
+struct Axis {
+    name: &'static str,
+    sign: &'static str,
+    long_name: &'static str,
+}
+
+/// The least and the largest count.
+#[derive(IntoPyObject)]
+struct Counts {
+    least: u64,
+    most: u64,
+}
+
+/// Adds a table of codes, as a list of rows with these fields, each by a method of the item.
+macro_rules! add_table {
+    ($module:ident, $name:literal, $row:ident of $table:ident { $($field:ident: $of:ident),+ }) => {
+        let row = |item: $table| $row { $($field: item.$of()),+ };
+        $module.add($name, Vec::from($table::ALL.map(row)))?
+    };
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("HOOP", names(Quantity::HOOP))?;
     module.add("START", names(Quantity::START))?;
     module.add("AXES", names(Quantity::AXES))?;
     let friction = Varies::Friction;
-    module.add(
-        "FRICTION",
-        (friction.name(), friction.sign(), friction.long_name()),
-    )?;
+    let friction = Axis {
+        name: friction.name(),
+        sign: friction.sign(),
+        long_name: friction.long_name(),
+    };
+    module.add("FRICTION", friction)?;
     module.add("SI_HOOP", names(Quantity::SI_HOOP))?;
     module.add("SI_START", names(Quantity::SI_START))?;
     module.add("STANDARD_GRAVITY", STANDARD_GRAVITY)?;
     module.add("MAX_TRANSITIONS", Limits::default().transitions)?;
     module.add("MAX_SLIDES", Limits::default().slides)?;
     module.add("MOST_COUNT", usize::MAX)?;
-    module.add(
-        "SAMPLE_COUNTS",
-        (*Sampling::COUNTS.start(), *Sampling::COUNTS.end()),
-    )?;
+    let counts = Counts {
+        least: *Sampling::COUNTS.start(),
+        most: *Sampling::COUNTS.end(),
+    };
+    module.add("SAMPLE_COUNTS", counts)?;
     module.add("PROOF", Limits::default().proof.name())?;
     module.add("PROOFS", Proof::NAMES.to_vec())?;
     module.add("OUTSIDE", OUTSIDE)?;
-    module.add(
-        "MODES",
-        Mode::ALL.map(|mode| (mode.code(), mode.name())).to_vec(),
-    )?;
-    let causes = Cause::ALL.map(|cause| (cause.code(), cause.name(), cause.label()));
-    module.add("CAUSES", causes.to_vec())?;
-    let impacts = ImpactCase::ALL.map(|case| (case.code(), case.name(), case.label()));
-    module.add("IMPACT_CASES", impacts.to_vec())?;
-    let laws = RestitutionLaw::ALL.map(|law| (law.code(), law.name(), law.label()));
-    module.add("RESTITUTION_LAWS", laws.to_vec())?;
-    let outcomes =
-        OutcomeKind::ALL.map(|kind| (kind.code(), kind.name(), kind.label(), kind.is_final()));
-    module.add("OUTCOMES", outcomes.to_vec())?;
-    let classes = Class::ALL.map(|class| (class.code(), class.name(), class.label()));
-    module.add("CLASSES", classes.to_vec())?;
-    module.add(
-        "REGIONS",
-        StartRegion::ALL
-            .map(|region| (region.code(), region.name()))
-            .to_vec(),
-    )?;
-    module.add(
-        "ROLLING_TYPES",
-        RollingType::ALL
-            .map(|kind| (kind.code(), kind.name()))
-            .to_vec(),
-    )?;
-    module.add(
-        "PHASES",
-        PhaseCode::ALL
-            .map(|code| (code.code(), code.name(), code.meaning()))
-            .to_vec(),
-    )?;
+    add_table!(module, "MODES", Code of Mode { code: code, name: name });
+    add_table!(module, "REGIONS", Code of StartRegion { code: code, name: name });
+    add_table!(module, "ROLLING_TYPES", Code of RollingType { code: code, name: name });
+    add_table!(module, "CAUSES", Coded of Cause { code: code, name: name, label: label });
+    add_table!(module, "IMPACT_CASES", Coded of ImpactCase { code: code, name: name, label: label });
+    add_table!(module, "RESTITUTION_LAWS", Coded of RestitutionLaw { code: code, name: name, label: label });
+    add_table!(module, "CLASSES", Coded of Class { code: code, name: name, label: label });
+    add_table!(module, "PHASES", Coded of PhaseCode { code: code, name: name, label: meaning });
+    add_table!(module, "OUTCOMES", OutcomeRow of OutcomeKind { code: code, name: name, label: label, is_final: is_final });
     module.add("SEQUENCE_CAPACITY", PhaseSequence::CAPACITY)?;
     module.add("SEQUENCE_VERSION", PhaseSequence::VERSION)?;
     module.add("SEQUENCE_ENCODING", PhaseSequence::ENCODING)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from evidence.studies.doubted_fits import doubts_of, rows_of, silent, unsaid
-from evidence.studies.film.faults import FAULTS, line_of, thrown
+from evidence.studies.film.faults import FAULTS, FREE, HEAD, line_of, thrown
 from evidence.studies.film.soft import rolling_on_soft_ground
 
 
@@ -18,15 +18,24 @@ def test_without_resistance_the_soft_ground_is_the_exact_one():
     np.testing.assert_allclose(x, film.x[: x.size], atol=4e-4)
 
 
-# Not of a marker: those tracks do not determine e, and the optimum depends on the last digits of
-# the linear algebra of the machine.
-@pytest.mark.parametrize("fault", ["none", "scale", "held"])
+# With a fault the likelihood has several minima: of the track with a displaced marker one at e = 0
+# and one at e = 0.09, whose logarithms differ by 0.04; changing the guess by a part of 1e-13 leads
+# from one to the other. What is determined is the same in all of them to half a standard error.
+@pytest.mark.parametrize("fault", ["none", "scale", "marker", "held"])
 def test_a_line_of_the_table_is_made_again(fault):
-    cells = line_of(fault, 0)
+    cells = dict(zip(HEAD, line_of(fault, 0), strict=True))
     row = rows_of(fault)[0]
-    assert (cells[0], cells[1]) == (row["fault"], row["film"]) == (fault, "0")
-    assert float(cells[2]) == pytest.approx(float(row["worst"]), abs=0.05)
-    assert bool(doubts_of(row)) == (fault != "none")
+    assert (cells["fault"], cells["film"]) == (row["fault"], row["film"]) == (fault, "0")
+    assert bool(doubts_of(cells)) == bool(doubts_of(row)) == (fault != "none")
+    compared = 0
+    for name in FREE:
+        value, error = f"{name}_value", f"{name}_error"
+        if row[error] in ("", "inf") or cells[error] == "inf":
+            continue
+        compared += 1
+        part = 0.01 if fault == "none" else 0.5
+        assert abs(float(cells[value]) - float(row[value])) < part * float(row[error]), name
+    assert compared >= 2
 
 
 @pytest.mark.parametrize("fault", FAULTS)

@@ -1,4 +1,7 @@
-"""The command ``littlewood fit``: friction, inertia and restitution from a film, or from the table of a tracker."""
+"""The command ``littlewood fit``.
+
+Friction, inertia and restitution from a film, or from the table of a tracker.
+"""
 
 from __future__ import annotations
 
@@ -73,7 +76,8 @@ class WrongClockError(ValueError):
             else f": was the film taken at about {rate / math.sqrt(gravity):.0f} frames a second"
         )
         super().__init__(
-            f"in flight the mass centre falls with {gravity:.3g} g{meant}, or is the radius another? --rate, --radius-m"
+            f"in flight the mass centre falls with {gravity:.3g} g{meant}, or is the radius "
+            f"another? --rate, --radius-m"
         )
         self.gravity = gravity
 
@@ -109,9 +113,11 @@ def _positive(text: str) -> float:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="littlewood fit",
-        description="Measure friction, inertia and restitution of a hoop from a film, or from the table of a tracker. "
+        description="Measure friction, inertia and restitution of a hoop from a film, or from the "
+        "table of a tracker. "
         "What is not given and cannot be known is asked for.",
-        epilog="example: littlewood fit film.mp4 --rate 240 --radius-m 0.3 --offset-m 0.27 --disc-mass-kg 0.25 "
+        epilog="example: littlewood fit film.mp4 --rate 240 --radius-m 0.3 --offset-m 0.27 "
+        "--disc-mass-kg 0.25 "
         "--particle-mass-kg 0.25 --slope 0",
     )
     parser.add_argument(
@@ -157,7 +163,8 @@ def _parser() -> argparse.ArgumentParser:
         nargs="+",
         choices=OF_HOOP,
         default=list(_FREE),
-        help=f"what is estimated, of {', '.join(OF_HOOP)} (default: all but slope); the rest is held",
+        help=f"what is estimated, of {', '.join(OF_HOOP)} (default: all but slope); the rest is "
+        f"held",
     )
     film = parser.add_argument_group("a film")
     film.add_argument(
@@ -184,7 +191,8 @@ def _parser() -> argparse.ArgumentParser:
         nargs=4,
         type=float,
         action="append",
-        help="a measured point of the plane of the motion: pixels to the right and down, m to the right and up from "
+        help="a measured point of the plane of the motion: pixels to the right and down, m to the "
+        "right and up from "
         "the floor; four or more (default: the hoop itself is the ruler)",
     )
     table = parser.add_argument_group("a table")

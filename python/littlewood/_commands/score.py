@@ -35,7 +35,8 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "case",
         metavar="CASE",
-        help="the exact motion: a name, of the benchmark (--list), of the data set or of `littlewood simulate`, "
+        help="the exact motion: a name, of the benchmark (--list), of the data set or of "
+        "`littlewood simulate`, "
         "or a certificate (.json)",
     )
     parser.add_argument(
@@ -43,8 +44,10 @@ def _parser() -> argparse.ArgumentParser:
         metavar="FILE",
         nargs="*",
         type=Path,
-        help="tables with the columns time, x, y, theta (or time_s, x_m, y_m, theta_rad), perhaps contact, "
-        "x_rate, y_rate, theta_rate; several with different steps also give the order of convergence",
+        help="tables with the columns time, x, y, theta (or time_s, x_m, y_m, theta_rad), perhaps "
+        "contact, "
+        "x_rate, y_rate, theta_rate; several with different steps also give the order of "
+        "convergence",
     )
     parser.add_argument("--list", action=_List, help="list the cases of the benchmark")
     parser.add_argument(
@@ -52,12 +55,14 @@ def _parser() -> argparse.ArgumentParser:
         metavar="STEP",
         type=float,
         nargs="+",
-        help="the steps of the solver for each FILE, sqrt(R/g), where it has made several between two rows",
+        help="the steps of the solver for each FILE, sqrt(R/g), where it has made several between "
+        "two rows",
     )
     parser.add_argument(
         "--gradient",
         metavar="QUANTITY",
-        help="FILE has the derivatives of x and theta at fixed times with respect to this quantity, such as mu_k",
+        help="FILE has the derivatives of x and theta at fixed times with respect to this "
+        "quantity, such as mu_k",
     )
     parser.add_argument("--json", action="store_true", help="write JSON")
     parser.add_argument(

@@ -13,7 +13,10 @@ __all__ = ["checked_count", "checked_limits"]
 def checked_count(
     name: str, value: SupportsIndex, least: int, most: int, hint: str | None = None
 ) -> int:
-    """Return a whole number; refuse one beyond its bounds, before anything is computed or allocated."""
+    """Return a whole number.
+
+    Refuse one beyond its bounds, before anything is computed or allocated.
+    """
     try:
         count = operator.index(value)
     except TypeError:

@@ -13,7 +13,10 @@ Reals = npt.NDArray[np.float64]
 
 
 def reals(values: Any, name: str | None = None) -> Reals:
-    """Return numbers as an array, NaN where masked; refuse dates, texts and complex numbers by their `name`."""
+    """Return numbers as an array, NaN where masked.
+
+    Refuse dates, texts and complex numbers by their `name`.
+    """
     array = np.asanyarray(values)
     owner = "" if name is None else f"{name} must hold real numbers: "
     if array.dtype.kind not in "biufO":
@@ -32,7 +35,10 @@ def reals(values: Any, name: str | None = None) -> Reals:
 
 
 def real(value: Any, name: str) -> float:
-    """Return a number; refuse texts, dates, complex numbers and arrays by the `name` of the argument."""
+    """Return a number.
+
+    Refuse texts, dates, complex numbers and arrays by the `name` of the argument.
+    """
     if isinstance(value, float):
         return float(value)
     try:
@@ -58,7 +64,7 @@ def broadcast(
     outputs: int = 1,
     dtype: Any = np.float64,
 ) -> Any:
-    """Call a function of one-dimensional float64 arrays on anything that NumPy or xarray can broadcast.
+    """Call a function of one-dimensional float64 arrays on what NumPy or xarray can broadcast.
 
     It returns an array, or a tuple of `outputs`; `dtype` is theirs, for arrays of Dask. Scalars
     give a scalar.

@@ -24,20 +24,29 @@ _EXTRA_OF = {
 
 
 def require(module: str) -> Any:
-    """Import an optional dependency; if it is not installed, the error names the extra that brings it."""
+    """Import an optional dependency.
+
+    If it is not installed, the error names the extra that brings it.
+    """
     try:
         return importlib.import_module(module)
     except ModuleNotFoundError as error:
         package = module.split(".")[0]
         if error.name is None or error.name.split(".")[0] != package:
             raise
-        message = f'this needs {package}, which is not installed: pip install "littlewood[{_EXTRA_OF[package]}]"'
+        message = (
+            f"this needs {package}, which is not installed: pip install "
+            f'"littlewood[{_EXTRA_OF[package]}]"'
+        )
         raise ImportError(message, name=error.name) from error
 
 
 @contextmanager
 def progress_bar(total: int, unit: str, wanted: bool) -> Iterator[Callable[[int], object]]:
-    """Show a bar (tqdm) while something is computed, if it is wanted; yields what takes how much of `total` is done."""
+    """Show a bar (tqdm) while something is computed, if it is wanted.
+
+    Yields what takes how much of `total` is done.
+    """
     if not wanted:
         yield lambda done: None
         return

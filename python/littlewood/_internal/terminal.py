@@ -21,7 +21,10 @@ PLAIN: Mapping[str, str] = {
     "≤": "<=", "≥": ">=", "≠": "!=", "≈": "~", "→": "->", "←": "<-", "↔": "<->", "≡": "=",
     "‘": "'", "’": "'", "“": '"', "”": '"', "ₛ": "_s", "ₖ": "_k", "ₑ": "_e",
 }  # fmt: skip
-"""What is written for a letter where a stream does not have it; for others see :func:`_substitute`."""
+"""What is written for a letter where a stream does not have it.
+
+For others see :func:`_substitute`.
+"""
 
 _ERRORS = "littlewood"
 # A cell of a table: words with one blank between them.
@@ -72,7 +75,10 @@ def _in_plain(line: str, encoding: str) -> str:
 
 
 def _substitute(error: UnicodeError) -> tuple[str, int]:
-    """Return the letters that stand for what a codec cannot encode: of the table, or without their accents."""
+    """Return the letters that stand for what a codec cannot encode.
+
+    Of the table, or without their accents.
+    """
     if not isinstance(error, UnicodeEncodeError):
         raise error
     return "".join(map(_plain, error.object[error.start : error.end])), error.end

@@ -21,7 +21,7 @@ RESULTS: tuple[str, ...] = tuple(SUMMARY_COLUMNS)
 def quantity_attributes(name: str) -> dict[str, Any]:
     """Return the attributes of a coordinate."""
     if name == FRICTION:
-        return {**quantity_attributes("mu_s"), "long_name": _core.FRICTION[2]}
+        return {**quantity_attributes("mu_s"), "long_name": _core.FRICTION["long_name"]}
     quantity = QUANTITIES[name]
     return {"long_name": quantity.long_name, "units": quantity.cf_unit, "scale": quantity.scale}
 
@@ -33,7 +33,10 @@ def record(derivatives: Sequence[str]) -> np.dtype[Any]:
 
 
 def checked_derivatives(names: Iterable[str], has_restitution: bool) -> tuple[str, ...]:
-    """Return names of derivatives, each once; refuse unknown ones, and those of what no motion has."""
+    """Return names of derivatives, each once.
+
+    Refuse unknown ones, and those of what no motion has.
+    """
     names = tuple(dict.fromkeys(names))
     for name in names:
         if _core.derivative_column(name)["quantity"] == "restitution" and not has_restitution:
@@ -42,8 +45,11 @@ def checked_derivatives(names: Iterable[str], has_restitution: bool) -> tuple[st
 
 
 def _legend() -> str:
-    """Return what the codes of phases mean, as JSON: no file format takes an attribute with parts."""
-    letters = {str(code): f"{letter}: {meaning}" for code, letter, meaning in _core.PHASES}
+    """Return what the codes of phases mean, as JSON.
+
+    No file format takes an attribute with parts.
+    """
+    letters = {str(row["code"]): f"{row['name']}: {row['label']}" for row in _core.PHASES}
     legend = {"0": "end of the sequence", **letters}
     return json.dumps(legend, ensure_ascii=False, separators=(",", ":"))
 

@@ -23,7 +23,8 @@ def parser() -> argparse.ArgumentParser:
     """Return the parser of the command line."""
     found = argparse.ArgumentParser(
         prog="python -m littlewood.certify",
-        description="Certificate of a motion, as JSON: each event with 30 digits and a bound on their error.",
+        description="Certificate of a motion, as JSON: each event with 30 digits and a bound on "
+        "their error.",
         epilog=f"example: {EXAMPLE}",
     )
     found.add_argument("--check", metavar="FILE", type=Path, help="check this certificate")
@@ -120,7 +121,10 @@ def _draw(certificate: Any, given: argparse.Namespace) -> None:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run the command: 0; 1 where something is not certified or refused; 2 where the input is not right."""
+    """Run the command: 0; 1 where something is not certified or refused.
+
+    2 where the input is not right.
+    """
     given = parser().parse_args(arguments)
     try:
         if given.picture is not None:

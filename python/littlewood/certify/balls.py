@@ -49,7 +49,10 @@ def precision(bits: int) -> Iterator[None]:
 
 
 def terms(bits: int) -> int:
-    """Return the length of Taylor series: a quarter of the radius of the disc gives two bits a term."""
+    """Return the length of Taylor series.
+
+    A quarter of the radius of the disc gives two bits a term.
+    """
     return bits // 2 + 8
 
 
@@ -70,7 +73,7 @@ def sign(value: Ball, what: str) -> int:
 
 
 def discs(center: Ball, radius: Ball) -> Iterator[tuple[Ball, Ball]]:
-    """Yield smaller and smaller radii, each with a square that holds its disc of the complex plane."""
+    """Yield smaller and smaller radii, each with a square that holds its disc."""
     for _ in range(60):
         yield radius, acb(center + arb(0, 1) * radius, arb(0, 1) * radius)
         radius = (radius * 3 / 4).mid()

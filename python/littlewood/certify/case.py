@@ -11,7 +11,10 @@ from .checker import Refused, valid_case
 
 
 class CaseError(ValueError):
-    """A case that is not one: the message names the value and the bound, which are those of the checker."""
+    """A case that is not one.
+
+    The message names the value and the bound, which are those of the checker.
+    """
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,10 @@ QUANTITIES = ("time", "theta", "theta_rate", "slip", "x")
 
 @dataclass(frozen=True)
 class Difference:
-    """By how much a double of the library is off, in units of 2^−52 of its size, of 1 if it is smaller."""
+    """By how much a double of the library is off, in units of 2^−52 of its size.
+
+    Of 1 if it is smaller.
+    """
 
     event: int
     cause: str
@@ -51,7 +54,10 @@ def _scales(hoop: Hoop) -> tuple[float, float, float]:
 
 
 def differences(certificate: Mapping[str, Any]) -> list[Difference]:
-    """Compare each number of the events of a certificate with those of the library, which must have the same events."""
+    """Compare each number of the events of a certificate with those of the library.
+
+    It must have the same events.
+    """
     motion = simulated(certificate["case"])
     clock, speed, length = _scales(motion.hoop)
     scale = {"time": clock, "theta": 1.0, "theta_rate": 1 / clock, "slip": speed, "x": length}

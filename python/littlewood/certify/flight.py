@@ -64,7 +64,10 @@ class Flight:
         return self._thrown(elapsed) - self.body.h * (1 - self.cos)
 
     def _high(self, elapsed: Ball) -> Ball | None:
-        """Return for how long the mass centre is too high for a landing: a fast hoop turns many times meanwhile."""
+        """Return for how long the mass centre is too high for a landing.
+
+        A fast hoop turns many times meanwhile.
+        """
         least = self.body.h * (2 - self.cos)
         if not self._below(elapsed) > self.body.h:
             return None
@@ -140,7 +143,9 @@ class Flight:
         return self.landing(self.state(time))
 
     def unit(self, at: State) -> State | None:
-        """Return slip and gap rate at the landing of a short flight without slip at its start, over the gap rate there.
+        """Return slip and gap rate at the landing of a short flight, over the gap rate there.
+
+        The flight has no slip at its start.
 
         Written without that rate, so that its radius does not grow from bounce to bounce.
         """

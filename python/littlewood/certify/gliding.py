@@ -1,4 +1,6 @@
-"""Gliding of Littlewood's hoop: no force acts, the particle falls freely, and the hoop turns as it has to.
+"""Gliding of Littlewood's hoop.
+
+No force acts, the particle falls freely, and the hoop turns as it has to.
 
 With the height Y = cos θ of the particle, V = Y′ and r² = V0² + 2 (1 + Y0) the particle is at the
 plane, Y = −1, at τ = V0 + r. In p with τ = V0 + r − p², p from below to 0, everything is analytic
@@ -89,7 +91,10 @@ class Glide:
 
 
 def decide_massless(body: Body, state: State, arrival: str = "") -> Next:
-    """Decide which motion of the massless hoop follows; static friction or the normal force has just given way."""
+    """Decide which motion of the massless hoop follows.
+
+    Static friction or the normal force has just given way.
+    """
     normal, friction = body.rolling_forces(state.theta, state.rate)
     evidence = {"rolling_normal": normal, "rolling_friction": friction}
     slips = sign(state.slip, "the slip velocity")
@@ -106,6 +111,7 @@ def decide_massless(body: Body, state: State, arrival: str = "") -> Next:
     side = sign(state.theta.sin(), "sin θ")
     if side == 0 or presses == 0:
         raise Beyond(
-            "a glide begins with the particle above or below the centre, or without any acceleration of slip"
+            "a glide begins with the particle above or below the centre, or without any "
+            "acceleration of slip"
         )
     return Next("gliding", side * presses, evidence, 1)

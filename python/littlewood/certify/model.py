@@ -1,4 +1,6 @@
-"""Functions of one variable on a disc: Taylor series with balls as coefficients, and a bound for the rest.
+"""Functions of one variable on a disc.
+
+Taylor series with balls as coefficients, and a bound for the rest.
 
 If a function is analytic where |s| ≤ r and not larger than M there, its coefficient of order k is
 at most M/r^k (Cauchy). The series and M therefore enclose the function and its derivative where
@@ -64,7 +66,10 @@ class Model:
         return Model(series, self.size / self.radius**order, self.radius)
 
     def of_square(self, radius: Ball) -> Model:
-        """Return the function of ξ that this is of s = ξ², where |ξ| ≤ radius, radius² not above that of s."""
+        """Return the function of ξ that this is of s = ξ², where |ξ| ≤ radius.
+
+        The square of the radius is not above that of s.
+        """
         n = flint.ctx.cap
         coefficients = [self.series[k // 2] if k % 2 == 0 else arb(0) for k in range(n)]
         return Model(arb_series(coefficients, n), self.size, radius)
@@ -164,7 +169,8 @@ def first_crossing(
         if not work:
             return None
     raise Undecided(
-        f"whether {' or '.join(sorted(guards))} vanishes is not decided on {MOST_INTERVALS} intervals"
+        f"whether {' or '.join(sorted(guards))} vanishes is not decided on {MOST_INTERVALS} "
+        f"intervals"
     )
 
 

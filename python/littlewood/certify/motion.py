@@ -132,7 +132,10 @@ class Walk:
                 time, theta = (
                     f"{float(one.mid()):.9g}" for one in (state.time * self.clock, state.theta)
                 )
-                place = f"{now.mode} from time {time} on, theta {theta}, after {len(motion.events)} events"
+                place = (
+                    f"{now.mode} from time {time} on, theta {theta}, after "
+                    f"{len(motion.events)} events"
+                )
                 raise type(error)(f"{error}; {place}") from error
         return motion
 
@@ -165,7 +168,10 @@ class Walk:
         forces: Callable[[State], tuple[Ball, Ball]] = lambda _: (arb(0), arb(0)),
         count: int = 4,
     ) -> None:
-        """Add a phase with at least so many samples; without an end, those of four units of time."""
+        """Add a phase with at least so many samples.
+
+        Without an end, those of four units of time.
+        """
         times = self._times(start.time, start.time + 4 if end is None else end.time, count)
         samples = [(one, *forces(one)) for one in map(at, times)]
         self.motion.phases.append(Phase(now.mode, now.direction, start, end, samples))
@@ -330,7 +336,10 @@ class Walk:
         return self._event("settle", end, following, hit=hit)
 
     def _times(self, start: Ball, end: Ball, count: int) -> list[Ball]:
-        """Return multiples of a power of two strictly between two times, at least so many and about twice as many."""
+        """Return multiples of a power of two strictly between two times.
+
+        There are at least so many, and about twice as many.
+        """
         low, high = ends(start * self.clock)[1], ends(end * self.clock)[0]
         if high - low < Fraction(1, 2**10):
             return []

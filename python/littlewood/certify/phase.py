@@ -1,4 +1,7 @@
-"""What every phase of a motion is: pieces in a parameter, on each of which state and guards are analytic functions."""
+"""What every phase of a motion is.
+
+Pieces in a parameter, on each of which state and guards are analytic functions.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The proof behind a certificate: where no event can be, which there are, and how narrowly they are enclosed."""
+"""The proof behind a certificate.
+
+Where no event can be, which there are, and how narrowly they are enclosed.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +40,10 @@ _GUARDS = {
         SLIP: f"|{sign('slip')}|",
     },
 }
-"""Signs of the guards of a hoop with mass, and of one without, in the order of their rows: docs/checker.md has them."""
+"""Signs of the guards of a hoop with mass, and of one without, in the order of their rows.
+
+They stand in docs/checker.md.
+"""
 
 _MOST_LINES = 12
 """Lines of events below the picture."""
@@ -84,7 +90,8 @@ def _drawn(found: ProofLike, width_mm: float) -> Figure:
     for number, line in enumerate(heading):
         write(_EDGE, height - 1.5 - _TITLE * number, line, size=8.0)
     figure.legend(
-        handles=handles, loc="upper left", bbox_to_anchor=(_EDGE / width_mm, 1.0 - above / height), ncols=columns,
+        handles=handles, loc="upper left", ncols=columns,
+        bbox_to_anchor=(_EDGE / width_mm, 1.0 - above / height),
         fontsize=_LETTERS, handlelength=2.4, borderaxespad=0.0, columnspacing=1.2, labelspacing=0.0,
     )  # fmt: skip
     rows: list[Axes] = []
@@ -140,9 +147,12 @@ def caption(found: ProofLike) -> str:
     """Return what the picture shows."""
     last, unit = found.stretches[-1], _unit(found, "time")
     said = [
-        f"A phase lasts while all its guards are above 0. The checker has enclosed them (dark) above 0 on "
-        f"{found.intervals} intervals, so that no event is missed (shaded). White: the phase has no such guard.",
-        f"{sign('theta')} is enclosed far more narrowly than a line is wide: its radius as the checker has it (line, "
+        f"A phase lasts while all its guards are above 0. The checker has enclosed them (dark) "
+        f"above 0 on "
+        f"{found.intervals} intervals, so that no event is missed (shaded). White: the phase has "
+        f"no such guard.",
+        f"{sign('theta')} is enclosed far more narrowly than a line is wide: its radius as the "
+        f"checker has it (line, "
         f"{found.bits} bits), and as the certificate states it, in 30 digits.",
     ]
     if last.repeats:
@@ -227,7 +237,10 @@ def _columns(lines: list[tuple[str, str, str]]) -> tuple[float, float, float]:
 
 
 def _times(balls: list[list[str]], room: int) -> str:
-    """Return a time with its radius, or the first and the last of several with the largest; in so many digits."""
+    """Return a time with its radius, or the first and the last of several with the largest.
+
+    In so many digits.
+    """
     widest = max((radius for _, radius in balls), key=float)
     radius = f" ± {_radius(widest)}" if float(widest) else ", exactly"
     if len(balls) > 1:
@@ -347,8 +360,8 @@ def _draw_guard(found: ProofLike, name: str, axes: Axes, until: float) -> None:
             boxes[0].start, boxes[-1].end, color=MODE_COLOURS[mode], alpha=_PALE, linewidth=0.0
         )
         axes.fill_between(
-            [*times, boxes[-1].end], [*lows, lows[-1]], [*highs, highs[-1]], step="post", color=MODE_COLOURS[mode],
-            linewidth=0.6,
+            [*times, boxes[-1].end], [*lows, lows[-1]], [*highs, highs[-1]], step="post",
+            color=MODE_COLOURS[mode], linewidth=0.6,
         )  # fmt: skip
         if some[-1] is found.stretches[-1] and _falls(found):
             axes.axvspan(some[-1].enclosed, until, **_HATCHED)
@@ -370,8 +383,9 @@ def _draw_guard(found: ProofLike, name: str, axes: Axes, until: float) -> None:
             else "center"
         )
         axes.annotate(
-            f"> {_bound(least.low)}", ((least.start + least.end) / 2, 1.0), xycoords=("data", "axes fraction"),
-            xytext=({"left": 2, "center": 0, "right": -2}[side], -2), textcoords="offset points", ha=side, va="top",
+            f"> {_bound(least.low)}", ((least.start + least.end) / 2, 1.0),
+            xycoords=("data", "axes fraction"), textcoords="offset points",
+            xytext=({"left": 2, "center": 0, "right": -2}[side], -2), ha=side, va="top",
             size=_LETTERS, color=INK,
         )  # fmt: skip
 

@@ -1,4 +1,7 @@
-"""The proof behind a certificate, as the checker finds it: where the guards of each phase are enclosed above 0."""
+"""The proof behind a certificate, as the checker finds it.
+
+Where the guards of each phase are enclosed above 0.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,9 @@ class NoCertificate(ValueError):
 
 @dataclass(frozen=True)
 class Proof:
-    """The stretches between the events of a motion, and the bits with which the checker has enclosed them.
+    """The stretches between the events of a motion, and the bits of the checker.
+
+    With these it has enclosed them.
 
     Each bounce that the certificate does not list has a stretch, too.
     """
@@ -132,7 +137,10 @@ def _stretch(given: Given, run: Followed) -> Stretch:
 def _intervals(
     step: checker.AnyStep, free: list[checker.Interval], end: Range | None
 ) -> list[checker.Interval]:
-    """Return the intervals of a step up to the end of its phase: in the last one a guard may fall to its zero there."""
+    """Return the intervals of a step up to the end of its phase.
+
+    In the last one a guard may fall to its zero there.
+    """
     if end is None or not checker.exceeds(step.length, end - step.tau):
         return free
     stop = Range(((end - step.tau) / step.length).m)
@@ -143,7 +151,10 @@ def _intervals(
 def _enclosed(
     step: checker.AnyStep, name: str, guard: Guard, low: Range, high: Range
 ) -> tuple[float, float]:
-    """Return bounds of a guard between two places in a step, with the zero at its start that was divided out."""
+    """Return bounds of a guard between two places in a step.
+
+    The zero at its start is divided out.
+    """
     between = guard.between(low, high)
     # What is not enclosed above 0 is monotone.
     ends = [between] if checker.exceeds(between, 0) else [guard.value(low), guard.value(high)]

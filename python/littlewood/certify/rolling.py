@@ -117,7 +117,10 @@ class Roll(Slide):
     def _guards(
         self, sin: Model, cos: Model, u: Model, rate: Model, time: Model, order: int
     ) -> dict[str, Model]:
-        """Return μs N − F and μs N + F, times D; without mass, where F/N = −tan(θ/2), that and the sign of N."""
+        """Return μs N − F and μs N + F, times D.
+
+        Without mass, where F/N = −tan(θ/2), that and the sign of N.
+        """
         body = self.body
         if body.is_massless:
             grip = (cos + 1) * body.mu_s

@@ -36,7 +36,9 @@ class Rest:
 
 
 def rest_of_bounces(body: Body, start: State, restitution: Ball, law: str) -> Rest | None:
-    """Enclose the end of the bounces that begin with this flight; None where they are not seen to come to one.
+    """Enclose the end of the bounces that begin with this flight.
+
+    None where they are not seen to come to one.
 
     Bounces are followed one by one down to a gap rate of 2⁻¹³⁶, and less with more than 144 bits.
     """

@@ -106,7 +106,10 @@ class Slide:
 
     @staticmethod
     def _free_of_zeros(family: Model, first: Ball) -> tuple[Ball, Ball, Ball]:
-        """Return a radius within which |u| stays away from 0, with its least and its largest value there."""
+        """Return a radius within which |u| stays away from 0.
+
+        With it come its least and its largest value there.
+        """
         radius = (family.radius * 3 / 4).mid()
         for _ in range(400):
             spread = _spread(family, radius)

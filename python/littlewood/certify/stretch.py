@@ -10,7 +10,10 @@ from .checker import DOWN, GAP, SLIP, UP
 
 
 class Box(NamedTuple):
-    """Between two times a guard is between two values; it is above 0, but where its zero begins or ends a phase."""
+    """Between two times a guard is between two values.
+
+    It is above 0, but where its zero begins or ends a phase.
+    """
 
     start: float
     end: float
@@ -61,7 +64,10 @@ class ProofLike(Protocol):
 
 
 QUANTITY_OF = {SLIP: "slip", GAP: "gap", UP: "normal", DOWN: "normal"}
-"""The quantities that have the units of guards; other guards have none, nor have those of friction without mass."""
+"""The quantities that have the units of guards.
+
+Other guards have none, nor have those of friction without mass.
+"""
 
 
 def quantity_of(guard: str, massless: bool) -> str | None:

@@ -1,4 +1,7 @@
-"""Fits: tracks of a motion, their errors, estimates of what is not known, and what speaks against them."""
+"""Fits of tracks of a motion.
+
+Tracks, their errors, estimates of what is not known, and what speaks against them.
+"""
 
 from .diagnostics import DOUBTS, Doubt
 from .estimate import Estimate

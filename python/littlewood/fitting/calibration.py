@@ -59,7 +59,10 @@ def determined(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]
 
 
 def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
-    """Return the names of a calibration in order; refuse unknown ones, and those that the channels do not determine."""
+    """Return the names of a calibration in order.
+
+    Refuse unknown ones, and those that the channels do not determine.
+    """
     names, channels = tuple(names), tuple(channels)
     unknown = [name for name in names if name not in CALIBRATION]
     if unknown:
@@ -72,7 +75,8 @@ def checked(names: Iterable[str], channels: Iterable[str]) -> tuple[str, ...]:
         there = ", ".join(channels)
         can = ", ".join(determined(CALIBRATION, channels))
         raise ValueError(
-            f"calibration has {', '.join(missing)}, which {there} do not determine; they determine {can}"
+            f"calibration has {', '.join(missing)}, which {there} do not determine; they determine "
+            f"{can}"
         )
     return found
 

@@ -30,7 +30,8 @@ DOUBTS: Mapping[str, str] = {
     "bound": "a free parameter ends at its bound",
     "sequences": "another sequence of phases explains the track nearly as well",
     "interval": "the normal interval of a parameter is wrong: its likelihood is not a parabola",
-    "structure": "residuals are not independent: the model, or the camera, is wrong by more than noise",
+    "structure": "residuals are not independent: the model, or the camera, is wrong by more than "
+    "noise",
     "outliers": "some frames are far from the motion",
     "misfit": "the residuals are larger than the given errors",
 }
@@ -79,7 +80,10 @@ class Doubt:
 
 @dataclass(frozen=True)
 class _Channel:
-    """Residuals of a channel where it was seen, over relative errors; `sigma` is what differs from frame to frame."""
+    """Residuals of a channel where it was seen, over relative errors.
+
+    `sigma` is what differs from frame to frame.
+    """
 
     frames: npt.NDArray[np.intp]
     residuals: Reals
@@ -94,7 +98,10 @@ class _Channel:
 def doubts_of_residuals(
     problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool
 ) -> list[Doubt]:
-    """Return the doubts that the residuals of a fit raise; `known` are the channels whose errors were given."""
+    """Return the doubts that the residuals of a fit raise.
+
+    `known` are the channels whose errors were given.
+    """
     known = set(known)
     residuals = problem.seen(problem.residuals(unknowns))
     relative = problem.seen({name: problem.track.relative_errors(name) for name in residuals})
@@ -140,7 +147,8 @@ def _outliers(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
             frames = "1 frame is" if far.size == 1 else f"{far.size} frames are"
             yield Doubt(
                 "outliers",
-                f"{frames} more than {_OUTLIER:g} standard deviations of {name} off (number {places}): "
+                f"{frames} more than {_OUTLIER:g} standard deviations of {name} off (number "
+                f"{places}): "
                 'did the tracker lose the hoop? loss="soft_l1" bears some',
                 (name,),
             )
@@ -149,7 +157,10 @@ def _outliers(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
 def _contradictions(
     problem: Problem, unknowns: Reals, channels: Mapping[str, _Channel]
 ) -> Iterator[Doubt]:
-    """Score tests of what is held: whether the residuals lean along its derivative, apart from those of the fit."""
+    """Score tests of what is held.
+
+    Whether the residuals lean along its derivative, apart from those of the fit.
+    """
     weights = {name: 1.0 / (one.sigma * one.relative) for name, one in channels.items()}
 
     def stacked(columns: Mapping[str, Reals]) -> Reals:
@@ -192,8 +203,10 @@ def _contradictions(
             if unseen and k is not None and moved[k] > _LOUD:
                 yield Doubt(
                     "held",
-                    f"if {name}, held at {values[name]:.3g}, is wrong by {_DOUBTFUL:.0%}, {problem.names[k]} is by "
-                    f"{moved[k]:.0f} standard errors, and the track does not show it: estimate {name}, too",
+                    f"if {name}, held at {values[name]:.3g}, is wrong by {_DOUBTFUL:.0%}, "
+                    f"{problem.names[k]} is by "
+                    f"{moved[k]:.0f} standard errors, and the track does not show it: estimate "
+                    f"{name}, too",
                     (name, problem.names[k]),
                 )
         apart = slope - basis @ (basis.T @ slope)
@@ -250,8 +263,10 @@ def _structure(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
             size = float(np.sqrt(np.mean(np.square(one.residuals))))
             yield Doubt(
                 "structure",
-                f"residuals of {name} come in waves ({runs} runs of one sign, {mean:.0f} expected; correlation "
-                f"with the next {after[0]:.2f}; {size:.2g}, of which {one.sigma:.2g} differs from frame to frame)",
+                f"residuals of {name} come in waves ({runs} runs of one sign, {mean:.0f} expected; "
+                f"correlation "
+                f"with the next {after[0]:.2f}; {size:.2g}, of which {one.sigma:.2g} differs from "
+                f"frame to frame)",
                 (name,),
             )
 

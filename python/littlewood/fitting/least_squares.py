@@ -39,6 +39,8 @@ _TRY_STEP = (0.01, 0.05, 0.1, 0.2, 0.4)
 _TRY_INERTIA = (0.6, 0.8, 1.0, 1.25, 1.6)
 _TRY_SLIP = (0.0, -3.0, -2.0, -1.2, -0.5, 0.5, 1.2, 2.0, 3.0)
 _BEST = 6
+# How many frames tell which guesses are the best.
+_FRAMES_OF_GUESS = 50
 # Parts of the track over which a coefficient of restitution is sought, and how many guesses are
 # followed over each.
 _PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
@@ -49,8 +51,8 @@ _STEPS_OF_SEARCH = 60
 _FORETELLS = 2.0
 # Guesses that differ by less lead to the same minimum.
 _SAME = 1e-3
-# How often the errors are estimated from the residuals.
-_TURNS = 4
+# How often the errors are estimated from the residuals, at most.
+_TURNS = 12
 # Neighbours of a fit whose sequences are looked at, how far they are in standard errors, how many
 # other sequences are fitted, and the probability from which one is named.
 _NEIGHBOURS = 40
@@ -227,18 +229,19 @@ def fit(
             problem, unknowns = problem.with_camera(camera, unknowns)
             # A hundred times as large as the errors, at first they would be taken for them.
             unknowns = problem.camera_of(unknowns)
-        # Weights from residuals, and again with those weights.
+        # Weights from residuals, and again with those weights, until they remain.
         for turn in range(_TURNS):
             noise = problem.noise_of(unknowns, known, loss, turn > 0)
-            problem = replace(problem, noise=noise)
-            last = turn == _TURNS - 1
-            best = (
-                problem.refine(unknowns, loss, FINE, 50)
-                if last
-                else problem.refine(unknowns, loss, ROUGH, 30)
+            is_last = turn == _TURNS - 1 or (
+                turn > 1 and all(one.is_close(problem.noise[name]) for name, one in noise.items())
             )
+            problem = replace(problem, noise=noise)
+            tolerance, most = (FINE, 50) if is_last else (ROUGH, 30)
+            best = problem.refine(unknowns, loss, tolerance, most)
             unknowns = best.x
             step()
+            if is_last:
+                break
         if loss == "linear":
             best, sequences = _compared(problem, best, others)
         else:
@@ -248,7 +251,10 @@ def fit(
 
 
 def _first_guess(track: Track, slope: float, given: dict[str, float]) -> dict[str, float]:
-    """Read the start off a parabola through the first frames, on a slope as if the hoop were in contact."""
+    """Read the start off a parabola through the first frames.
+
+    On a slope it is read as if the hoop were in contact.
+    """
     unknown = [name for name in given if name not in ("theta", "theta_rate", "slip", "x")]
     if unknown:
         raise ValueError(f"start has {', '.join(unknown)}; it can have theta, theta_rate, slip, x")
@@ -334,10 +340,11 @@ def _search(
     foretold = 0.0
     for part in parts:
         shorter = problem.part(part)
-        misfits = [shorter.misfit(guess) for guess in guesses]
+        sparse = shorter.sparse(_FRAMES_OF_GUESS)
+        misfits = [sparse.misfit(guess) for guess in guesses]
         if min(misfits) > foretold:
             others = [other for guess in guesses for other in problem.other_restitutions(guess)]
-            guesses, misfits = guesses + others, [*misfits, *map(shorter.misfit, others)]
+            guesses, misfits = guesses + others, [*misfits, *map(sparse.misfit, others)]
         # Guesses of one motion have one misfit: without an impact any restitution will do.
         _, places = np.unique(misfits, return_index=True)
         found = []
@@ -360,7 +367,10 @@ def _distinct(guesses: list[Reals]) -> list[Reals]:
 
 
 def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, dict[str, float]]:
-    """Fit other sequences of phases, and return the most probable fit and the probabilities of all."""
+    """Fit other sequences of phases.
+
+    Return the most probable fit and the probabilities of all.
+    """
     rest = len(problem.names) - len(problem.camera_names)
     random = np.random.default_rng(0)
     covariance, _ = _covariance(best.jac)
@@ -403,7 +413,9 @@ def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, di
 
 
 def _evidence(found: Any) -> float:
-    """Return the logarithm of the probability of the measurements for a sequence, by Laplace's method.
+    """Return the logarithm of the probability of the measurements for a sequence.
+
+    By Laplace's method.
 
     Beforehand each unknown is anything within about 1, in the units of the hoop.
     """
@@ -506,7 +518,10 @@ def _result(
 def _wrong_intervals(
     problem: Problem, best: Any, covariance: Reals, estimates: Mapping[str, Estimate], loss: str
 ) -> list[Doubt]:
-    """Compare the rise of the profile likelihood at the ends of the normal intervals with that of a parabola."""
+    """Compare the rise of the profile likelihood with that of a parabola.
+
+    It is that at the ends of the normal intervals.
+    """
     wrong: dict[str, float] = {}
     for name, estimate in estimates.items():
         if name not in OF_HOOP or not estimate.identifiable or loss != "linear":
@@ -522,7 +537,8 @@ def _wrong_intervals(
         return []
     words = ", ".join(f"{name} ({part:.2g})" for name, part in wrong.items())
     message = (
-        f"the likelihood of {words} is not that of a normal error ({_PROFILED:g} standard errors away it falls by the "
+        f"the likelihood of {words} is not that of a normal error ({_PROFILED:g} standard errors "
+        f"away it falls by the "
         "number in brackets times as much): take profile_interval"
     )
     return [Doubt("interval", message, tuple(wrong))]
@@ -549,7 +565,10 @@ def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:
 
 
 def _covariance(jacobian: Reals) -> tuple[Reals, npt.NDArray[np.bool_]]:
-    """Return (JᵀJ)⁻¹, and which unknowns the residuals do not depend on, alone or apart from others."""
+    """Return (JᵀJ)⁻¹, and which unknowns it does not tell.
+
+    The residuals do not depend on these, alone or apart from others.
+    """
     norms = np.linalg.norm(jacobian, axis=0)
     scale = np.where(norms > 0.0, norms, 1.0)
     _, singular, rows = np.linalg.svd(jacobian / scale, full_matrices=False)

@@ -47,6 +47,15 @@ class Noise:
         """Standard deviation of an error."""
         return math.hypot(self.white, self.slow)
 
+    def is_close(self, other: Noise) -> bool:
+        """Whether the noise is that of another.
+
+        Standard deviations may differ by a hundredth, times not at all.
+        """
+        return self.time == other.time and bool(
+            np.allclose((self.white, self.slow), (other.white, other.slow), rtol=0.01, atol=0.0)
+        )
+
     def __str__(self) -> str:
         slow = (
             f", of which {self.slow:.3g} changes in τ = {self.time:.2g}" if self.slow > 0.0 else ""
@@ -109,7 +118,9 @@ def estimate_noise(
     known: Mapping[str, Noise],
     correlated: bool,
 ) -> dict[str, Noise]:
-    """Estimate the errors of channels by restricted likelihood: it accounts for the fitted parameters.
+    """Estimate the errors of channels by restricted likelihood.
+
+    It accounts for the fitted parameters.
 
     Parameters
     ----------
@@ -180,7 +191,10 @@ def _shapes(time: Reals, correlated: bool) -> list[Noise]:
 
 @dataclass(frozen=True, eq=False)
 class _Channel:
-    """A channel for each noise that is tried: products of its whitened columns, and determinants."""
+    """A channel for each noise that is tried.
+
+    Products of its whitened columns, and determinants.
+    """
 
     products: Reals
     log_determinants: Reals
@@ -205,7 +219,9 @@ class _Channel:
 def _solved(
     channels: Mapping[str, _Channel], scales: Mapping[str, Reals]
 ) -> tuple[Reals, Reals, Reals]:
-    """Return the change of the unknowns, the inverse of their normal matrix, and the logarithm of its determinant.
+    """Return the change of the unknowns, the inverse of their normal matrix, and more.
+
+    The last is the logarithm of the determinant of that matrix.
 
     Each for all noises that are tried of one of the channels.
     """
@@ -226,7 +242,10 @@ def _squares(channel: _Channel, change: Reals) -> Reals:
 
 
 def _scales(channels: Mapping[str, _Channel], scales: Mapping[str, Reals]) -> dict[str, Reals]:
-    """Return the variances that belong to shapes: squares over the measurements less what the unknowns take of them."""
+    """Return the variances that belong to shapes.
+
+    Squares over the measurements less what the unknowns take of them.
+    """
     found = dict(scales)
     for _ in range(2):
         change, inverse, _ = _solved(channels, found)

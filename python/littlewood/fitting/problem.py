@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from .._internal.elementwise import Reals
 from .._internal.extras import require
@@ -96,6 +97,7 @@ class Problem:
         self._before = np.where(camera == _EXPOSURE, 0.5 * step, 0.0)
         self._deviation = np.where(camera == _EXPOSURE, step / math.sqrt(12.0), _PRIOR)
         self._last: tuple[tuple[float, ...], Exposures] | None = None
+        self._last_derivatives: tuple[bytes, dict[str, Reals]] | None = None
 
     def with_camera(self, camera: tuple[str, ...], unknowns: Reals) -> tuple[Problem, Reals]:
         """Return the same with constants of the camera among the unknowns, and these."""
@@ -123,7 +125,10 @@ class Problem:
         return [name for name in self.names if name.startswith(_CAMERA)]
 
     def guess(self, **values: float) -> Reals:
-        """Return the unknowns at a guess; `mu_s` is stored as its excess over `mu_k`, which must not be negative."""
+        """Return the unknowns at a guess.
+
+        `mu_s` is stored as its excess over `mu_k`, which must not be negative.
+        """
         known = {name: getattr(self.hoop, name) for name in OF_HOOP} | values
         if known["restitution"] is None:
             known["restitution"] = _TRY_RESTITUTION[0]
@@ -149,6 +154,11 @@ class Problem:
             else replace(self, track=self.track.until(begin + part * (end - begin)))
         )
 
+    def sparse(self, frames: int) -> Problem:
+        """Return the same for frames all over the track, of which there are about so many."""
+        step = max(1, self.track.time.size // frames)
+        return replace(self, track=self.track.every(step))
+
     def bounds(self) -> tuple[list[float], list[float]]:
         """Return the least and the largest values of the unknowns."""
         within = {
@@ -163,7 +173,10 @@ class Problem:
         return [low for low, _ in pairs], [high for _, high in pairs]
 
     def limits(self, name: str) -> tuple[float, float]:
-        """Return the least and the largest value of a parameter, not of the unknown that stands for it."""
+        """Return the least and the largest value of a parameter.
+
+        It is that of the parameter, not of the unknown that stands for it.
+        """
         if name == "mu_s" and "mu_k" in self.names:
             return 0.0, _LARGEST_FRICTION
         low, high = self.bounds()
@@ -229,7 +242,10 @@ class Problem:
         return {name: values[self._seen[name]] for name, values in by_channel.items()}
 
     def scaled(self, unknowns: Reals) -> Reals:
-        """Return the residuals as numbers that are independent and of size 1, and then the constants of the camera."""
+        """Return the residuals as numbers that are independent and of size 1.
+
+        The constants of the camera follow.
+        """
         residuals = self.residuals(unknowns)
         parts = [
             self._white[name](residual[self._seen[name]]) for name, residual in residuals.items()
@@ -270,6 +286,12 @@ class Problem:
 
         They are those of the motion, where it has them; else differences within bounds.
         """
+        key = unknowns.tobytes()
+        if self._last_derivatives is None or self._last_derivatives[0] != key:
+            self._last_derivatives = key, self._derivatives(unknowns)
+        return self._last_derivatives[1]
+
+    def _derivatives(self, unknowns: Reals) -> dict[str, Reals]:
         found = self._exact(self.values(unknowns))
         low, high = self.bounds()
         is_known = np.all([np.isfinite(rows).all(axis=0) for rows in found.values()], axis=0)
@@ -330,7 +352,10 @@ class Problem:
         return np.vstack([*parts, np.eye(unknowns.size)[rest:] / self._deviation[:, None]])
 
     def derivative_by(self, name: str, values: dict[str, Any]) -> dict[str, Reals] | None:
-        """Return the derivatives of the residuals by something that is held; None without a motion on both sides."""
+        """Return the derivatives of the residuals by something that is held.
+
+        None without a motion on both sides.
+        """
         value = values.get(name, 0.0)
         low, high = _HELD.get(name, (-math.inf, math.inf))
         if value is None or value < low:
@@ -347,7 +372,10 @@ class Problem:
         }
 
     def fixed(self, name: str, values: dict[str, Any]) -> tuple[Problem, Reals] | None:
-        """Return the same with a parameter of the hoop fixed, and a guess of the others; None where no hoop has it."""
+        """Return the same with a parameter of the hoop fixed, and a guess of the others.
+
+        None where no hoop has it.
+        """
         value, values = values[name], values | {"mu_k": max(values["mu_k"], 0.0)}
         if values["mu_s"] < values["mu_k"]:
             # The other coefficient gives way, if it may.
@@ -367,12 +395,41 @@ class Problem:
     def refine(
         self, unknowns: Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS
     ) -> Any:
-        """Minimise from a guess, until the sum of squares changes by less than a part, in a number of steps."""
-        return require("scipy.optimize").least_squares(
-            self.scaled,
-            unknowns,
-            bounds=self.bounds(),
-            jac=self.jacobian,
+        """Minimise from a guess, in so many steps or until the sum of squares hardly changes.
+
+        What the residuals do not depend on stays as it is: steps along it would lead from bound to
+        bound, and shorten those of the others.
+        """
+        found, seen = None, np.zeros(unknowns.size, dtype=bool)
+        while True:
+            depend = np.any(self.jacobian(unknowns) != 0.0, axis=0)
+            if found is not None and not np.any(depend & ~seen):
+                return found
+            seen = seen | depend
+            found = self._refined(unknowns, seen, loss, tolerance, most)
+            unknowns = found.x
+
+    def _refined(
+        self,
+        unknowns: Reals,
+        seen: npt.NDArray[np.bool_],
+        loss: str,
+        tolerance: float,
+        most: int,
+    ) -> Any:
+        """Minimise over some of the unknowns; the result is that over all of them."""
+        low, high = map(np.array, self.bounds())
+
+        def whole(some: Reals) -> Reals:
+            found = unknowns.copy()
+            found[seen] = some
+            return found
+
+        found = require("scipy.optimize").least_squares(
+            lambda some: self.scaled(whole(some)),
+            unknowns[seen],
+            bounds=(low[seen], high[seen]),
+            jac=lambda some: self.jacobian(whole(some))[:, seen],
             x_scale="jac",
             loss=loss,
             ftol=tolerance,
@@ -380,3 +437,9 @@ class Problem:
             gtol=tolerance,
             max_nfev=most,
         )
+        found.x = whole(found.x)
+        for name in ("jac", "active_mask"):
+            some = found[name]
+            found[name] = np.zeros((*some.shape[:-1], unknowns.size))
+            found[name][..., seen] = some
+        return found

@@ -26,7 +26,9 @@ _MOST = 10.0
 
 
 def rise(problem: Problem, unknowns: Reals, covariance: Reals, name: str, value: float) -> float:
-    """Return by how much the least sum of squares exceeds that of the fit where a parameter has a value.
+    """Return by how much the least sum of squares exceeds that of the fit.
+
+    It is that where a parameter has a value.
 
     The covariance of the estimates says where the others go.
     """
@@ -53,10 +55,14 @@ def profile_interval(
     estimate: Estimate,
     confidence: float,
 ) -> tuple[float, float]:
-    """Return the interval in which the profile rises by less than the square of the normal quantile."""
+    """Return the interval in which the profile rises by less than a square.
+
+    It is that of the normal quantile.
+    """
     if name not in OF_HOOP:
         raise ValueError(
-            f"name = {name!r} must be one of {', '.join(one for one in problem.names if one in OF_HOOP)}"
+            f"name = {name!r} must be one of "
+            f"{', '.join(one for one in problem.names if one in OF_HOOP)}"
         )
     if not 0.0 < confidence < 1.0:
         raise ValueError(f"confidence = {confidence} must lie between 0 and 1")

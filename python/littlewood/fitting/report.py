@@ -47,9 +47,11 @@ img {{ display: block; width: 100%; }}
 table {{ border-collapse: collapse; font-variant-numeric: tabular-nums; }}
 td, th {{ padding: 0 2.5mm 0 0; text-align: left; font-weight: normal; vertical-align: top; }}
 th {{ border-bottom: 1px solid {LINE}; }}
-.beside {{ display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); gap: 4mm; align-items: start; }}
+.beside {{ display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+  gap: 4mm; align-items: start; }}
 .number {{ white-space: nowrap; }}
-.doubt {{ font-size: 7.5pt; line-height: 1.2; border-left: 1mm solid {MODE_COLOURS["sliding"]}; padding-left: 2mm; }}
+.doubt {{ font-size: 7.5pt; line-height: 1.2; border-left: 1mm solid {MODE_COLOURS["sliding"]};
+  padding-left: 2mm; }}
 .small {{ font-size: 8pt; }}
 .photo {{ max-height: 48mm; width: auto; max-width: 100%; }}
 @page {{ size: A4; margin: 8mm 10mm; }}
@@ -58,7 +60,10 @@ th {{ border-bottom: 1px solid {LINE}; }}
 
 
 def report_html(result: FitResult, *, title: str, photo: bytes | None = None) -> str:
-    """Return the report of a fit, a page with all pictures in it; the photo is a JPEG of film and fitted motion."""
+    """Return the report of a fit, a page with all pictures in it.
+
+    The photo is a JPEG of film and fitted motion.
+    """
     shown = (
         ""
         if photo is None
@@ -79,7 +84,10 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
         for one in result.doubts[:_DOUBTS]
     )
     if len(result.doubts) > _DOUBTS:
-        doubts += f'<p class="doubt">Further doubts: {", ".join(one.name for one in result.doubts[_DOUBTS:])}.</p>'
+        doubts += (
+            f'<p class="doubt">Further doubts: '
+            f"{', '.join(one.name for one in result.doubts[_DOUBTS:])}.</p>"
+        )
     return f"""<!doctype html>
 <html lang="en">
 <head>
@@ -100,7 +108,8 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
 </div>
 {doubts or "<p>The fit has no doubts.</p>"}
 <h2>Track, fitted motion, residuals</h2>
-<img alt="measured and fitted motion over time, and residuals" src="{_svg(fitted, "Track, fitted motion, residuals")}">
+<img alt="measured and fitted motion over time, and residuals"
+  src="{_svg(fitted, "Track, fitted motion, residuals")}">
 <div class="beside">
 <div>
 <h2>Forces</h2>
@@ -108,7 +117,8 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
 </div>
 <div>
 <h2>What your hoop would do with more friction</h2>
-<img alt="outcomes by friction and rate of the start" src="{_svg(more, "Outcomes with more friction")}">
+<img alt="outcomes by friction and rate of the start"
+  src="{_svg(more, "Outcomes with more friction")}">
 </div>
 </div>
 <p>{escape(_sentence(result.motion))}</p>
@@ -217,7 +227,8 @@ def _sentence(motion: Trajectory) -> str:
         return ", ".join(words[:_NAMED]) + ", …" * (len(words) > _NAMED)
 
     return (
-        f"Your hoop: {course(motion)}. With half as much friction more (μₛ = {more.mu_s:.3g}, μₖ = {more.mu_k:.3g}) "
+        f"Your hoop: {course(motion)}. With half as much friction more (μₛ = {more.mu_s:.3g}, μₖ = "
+        f"{more.mu_k:.3g}) "
         f"and the same start: {course(then)}. In the map μₛ = μₖ = μ, up to the first landing."
     )
 

@@ -111,7 +111,10 @@ class FitResult:
 
     @property
     def sigma(self) -> dict[str, float]:
-        """Standard deviation of a measurement by channel; where the track has errors, at their median."""
+        """Standard deviation of a measurement by channel.
+
+        Where the track has errors, at their median.
+        """
         return {name: noise.sigma for name, noise in self.noise.items()}
 
     @property
@@ -140,8 +143,10 @@ class FitResult:
             for name, estimate in self.estimates.items()
         )
         return (
-            f"<div><b>Fitted motion</b> {self.motion.sequence}: {self.motion.outcome}<table>{rows}</table>"
-            f"<small>μs is at least {self.mu_s_at_least:.4g}; reduced χ² {self.reduced_chi_square:.3f}</small>"
+            f"<div><b>Fitted motion</b> {self.motion.sequence}: "
+            f"{self.motion.outcome}<table>{rows}</table>"
+            f"<small>μs is at least {self.mu_s_at_least:.4g}; reduced χ² "
+            f"{self.reduced_chi_square:.3f}</small>"
             + "".join(
                 f"<div><b>Doubt: {doubt.name}</b> {escape(doubt.message)}</div>"
                 for doubt in self.doubts

@@ -204,7 +204,9 @@ class Track:
         length_unit: str = "m",
         ignore: Iterable[str] = (),
     ) -> Track:
-        """Read a track from a table of numbers with a line of names, as spreadsheets and trackers write it.
+        """Read a track from a table of numbers with a line of names.
+
+        Spreadsheets and trackers write such tables.
 
         Parameters
         ----------
@@ -267,12 +269,16 @@ class Track:
 
     def until(self, time: float) -> Track:
         """Return the part up to a time τ, √(R/g)."""
-        kept = self.time <= time
-        errors = (
-            None
-            if self.errors is None
-            else {name: values[kept] for name, values in self.errors.items()}
-        )
-        channels = {name: values[kept] for name, values in self.channels.items()}
-        theta, x, y = (channels.get(name) for name in ("theta", "x", "y"))
-        return replace(self, time=self.time[kept], theta=theta, x=x, y=y, errors=errors)
+        return self._of(self.time <= time)
+
+    def every(self, step: int) -> Track:
+        """Return each so manieth frame, or all where a channel is seen in none of them."""
+        chosen = np.arange(self.time.size) % step == 0
+        seen = [np.isfinite(values[chosen]).any() for values in self.channels.values()]
+        return self._of(chosen) if all(seen) else self
+
+    def _of(self, frames: npt.NDArray[np.bool_]) -> Track:
+        kept = {name: values[frames] for name, values in self.channels.items()}
+        errors = self.errors and {name: values[frames] for name, values in self.errors.items()}
+        theta, x, y = (kept.get(name) for name in ("theta", "x", "y"))
+        return replace(self, time=self.time[frames], theta=theta, x=x, y=y, errors=errors)

@@ -67,7 +67,8 @@ _LENGTHS = tuple(name for name, (kind, size) in _UNITS.items() if kind == "lengt
 _DERIVED = frozenset(
     [
         *(one.name for one in SAMPLE_COLUMNS.values() if one.name not in _CHANNELS),
-        *"n step v vx vy |v| a ax ay |a| θv θa θr r ω α px py pθ p k l pathlength pixelx pixely index".split(),
+        *"n step v vx vy |v| a ax ay |a| θv θa θr r ω α px py pθ p k l pathlength pixelx pixely "
+        "index".split(),
         *(
             "velocity",
             "acceleration",
@@ -95,7 +96,10 @@ _MARKER = ("marker", "particle", "weight", "spot", "marke", "marque", "marca")
 
 @dataclass(frozen=True)
 class _Column:
-    """A column of a table: `channel` is time, theta, x, y or frame; `point` is tracked, in exports that name them."""
+    """A column of a table: `channel` is time, theta, x, y or frame.
+
+    `point` is tracked, in exports that name them.
+    """
 
     place: int
     name: str
@@ -311,7 +315,10 @@ def _time_column(table: TextTable, columns: list[_Column], fps: float | None) ->
 def _marker_of(
     table: TextTable, columns: list[_Column], centre: str | None, marker: str | None
 ) -> str | None:
-    """Return the name of the point that is the marker, if any; the other is the centre, and no point is left out."""
+    """Return the name of the point that is the marker, if any.
+
+    The other is the centre, and no point is left out.
+    """
     names = list(dict.fromkeys(one.point for one in columns if one.point))
     for given in (centre, marker):
         if given is not None and given not in names:
@@ -327,7 +334,8 @@ def _marker_of(
     if {centre, marker} - {None} != set(names) and not (len(names) == 1 and marker is None):
         raise table.refusal(
             f"has the points {', '.join(names)}",
-            hint='say which are the centre of the hoop and its marker: centre="…", marker="…"; export only these',
+            hint='say which are the centre of the hoop and its marker: centre="…", marker="…"; '
+            "export only these",
         )
     if marker is not None and len(names) == 1:
         raise table.refusal("has the marker alone", hint="track the centre, too")

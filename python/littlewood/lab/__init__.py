@@ -1,4 +1,7 @@
-"""The laboratory: the page as a widget in a notebook, and its links. :meth:`littlewood.Trajectory.lab` shows it."""
+"""The laboratory in a notebook.
+
+The page as a widget, and its links. :meth:`littlewood.Trajectory.lab` shows it.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Links of the laboratory: a motion and an instant as the text after `#` in an address, and back."""
+"""Links of the laboratory.
+
+A motion and an instant as the text after `#` in an address, and back.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +31,10 @@ class LinkError(ValueError):
 
 
 def _read(link: str) -> tuple[bool, float | None]:
-    """Return whether a link says anything of a motion, and its instant; refuse one that cannot be read."""
+    """Return whether a link says anything of a motion, and its instant.
+
+    Refuse one that cannot be read.
+    """
     read = _core.read_link(link)
     if read["refusal"] is not None:
         raise LinkError(**read["refusal"])

@@ -17,7 +17,9 @@ _MODULE = Path(__file__).with_name("laboratory.js")
 
 
 class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
-    """The page in which a hoop is dragged and watched, in a notebook; :meth:`littlewood.Trajectory.lab` makes it.
+    """The page in which a hoop is dragged and watched, in a notebook.
+
+    :meth:`littlewood.Trajectory.lab` makes it.
 
     Page and Python share one state: dragging the start changes `motion`, the time line sets `time`,
     and values set here are shown there. ``laboratory.observe(function, "motion")`` calls a function
@@ -45,8 +47,10 @@ class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
     ) -> None:
         if not _MODULE.exists():
             raise RuntimeError(
-                "this build of littlewood has no laboratory: run web/build.sh in the repository (it needs node 20 and "
-                "`rustup target add wasm32-unknown-unknown`), then build and install the wheel again"
+                "this build of littlewood has no laboratory: run web/build.sh in the repository "
+                "(it needs node 20 and "
+                "`rustup target add wasm32-unknown-unknown`), then build and install the wheel "
+                "again"
             )
         self._esm = _MODULE.read_text(encoding="utf-8")
         instant = motion.start.time if time is None else time
@@ -57,7 +61,10 @@ class Laboratory(anywidget.AnyWidget):  # type: ignore[misc, unused-ignore]
         self.observe(self._write_link, ["motion", "time"])
 
     def _take_link(self, _: object) -> None:
-        """Let motion and instant follow the page. The motion stays the same object while its numbers stay."""
+        """Let motion and instant follow the page.
+
+        The motion stays the same object while its numbers stay.
+        """
         shown = motion_of(self.link)
         same = link_of(shown, 0.0) == link_of(self.motion, 0.0)
         motion = self.motion if same else shown

@@ -1,4 +1,6 @@
-"""Pictures in the style of the project: colours that the colour-blind tell apart, ticks at multiples of π, symbols.
+"""Pictures in the style of the project.
+
+Colours that the colour-blind tell apart, ticks at multiples of π, symbols.
 
 Each function draws on axes of your own, or makes a figure. Nothing depends on a style sheet or a
 backend; :func:`look` gives your figures the letters, frames and lines of ours.

@@ -37,7 +37,9 @@ _LEAST_DELAY, _MOST_DELAY = 2, 65_535
 
 
 class Animation:
-    """A motion as a video: the hoop on the plane, its particle drawing its path in the colour of the mode.
+    """A motion as a video.
+
+    The hoop on the plane, its particle drawing its path in the colour of the mode.
 
     Parameters
     ----------
@@ -64,7 +66,10 @@ class Animation:
         self._samples = motion(self._times)
 
     def __repr__(self) -> str:
-        return f"<Animation of {self.motion.sequence}, {len(self._times)} frames, {self.seconds:.3g} s>"
+        return (
+            f"<Animation of {self.motion.sequence}, {len(self._times)} frames, "
+            f"{self.seconds:.3g} s>"
+        )
 
     @on_sheet
     def to_matplotlib(self) -> FuncAnimation:
@@ -230,7 +235,9 @@ class Animation:
 
 
 def gif_delays(seconds: float, frames: int) -> list[int]:
-    """Return how long a GIF shows its frames, hundredths of a second, so that all take so many seconds.
+    """Return how long a GIF shows its frames, hundredths of a second.
+
+    All together take so many seconds.
 
     Each is the whole number of hundredths up to which its end rounds, as in the films of the
     program: no error adds up. There are fewer frames where each would be shown for less than two

@@ -53,7 +53,9 @@ def on_sheet(draw: _F) -> _F:
 
 
 def look(width_mm: float | None = None) -> AbstractContextManager[Any]:
-    """Give figures made in this context the letters, frames and lines of the figures of the project.
+    """Give figures made in this context the look of the figures of the project.
+
+    That is their letters, frames and lines.
 
     Parameters
     ----------
@@ -83,7 +85,10 @@ def sheet(width: float, height: float) -> Sheet:
 
 
 def key(axes: Axes, heading: str | None = None, *, columns: int = 2, **options: Any) -> None:
-    """Put the key above the axes, below a heading: it covers no curve. What is drawn in pieces has one entry."""
+    """Put the key above the axes, below a heading.
+
+    It covers no curve. What is drawn in pieces has one entry.
+    """
     unique: dict[str, Any] = {}
     for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
         unique.setdefault(label, handle)
@@ -100,18 +105,24 @@ def key(axes: Axes, heading: str | None = None, *, columns: int = 2, **options: 
 
 
 def words(axes: Axes, sign: str) -> str:
-    """Return a sign of the tables with the marks of our sheets, and as it is on axes of the caller."""
+    """Return a sign of the tables with the marks of our sheets.
+
+    On axes of the caller it is as it stands.
+    """
     from .sheet import Sheet
 
     return _core.marked(sign) if isinstance(axes.figure, Sheet) else sign
 
 
 def sign(name: str) -> str:
-    """Return the symbol of a quantity or a column of samples; a name that is neither stands for itself."""
+    """Return the symbol of a quantity or a column of samples.
+
+    A name that is neither stands for itself.
+    """
     if name in SAMPLE_COLUMNS:
         return SAMPLE_COLUMNS[name].sign
     if name == FRICTION:
-        return _core.FRICTION[1]
+        return _core.FRICTION["sign"]
     return QUANTITIES[name].sign if name in QUANTITIES else name
 
 
@@ -130,7 +141,10 @@ _ABOUT = {
     ".pdf": ("Title", "Subject", "CreationDate"),
     ".png": ("Title", "Description"),
 }
-"""What formats of pictures call title and description, and a date, which is left out so that bytes stay the same."""
+"""What formats of pictures call title and description, and a date.
+
+The date is left out so that bytes stay the same.
+"""
 
 
 class PictureError(ValueError):
@@ -138,14 +152,20 @@ class PictureError(ValueError):
 
 
 def format_of(path: Path) -> str:
-    """Return the format of a picture with this name; raises :class:`PictureError` for another than ours."""
+    """Return the format of a picture with this name.
+
+    Raises :class:`PictureError` for another than ours.
+    """
     if path.suffix.lower() not in _ABOUT:
         raise PictureError(f"{path} must end in .svg, .pdf or .png, the formats of pictures")
     return path.suffix.lower()
 
 
 def save(figure: Figure, path: Path, title: str, description: str) -> None:
-    """Write a figure with a title and a description; the text of an SVG and of a PDF can be searched."""
+    """Write a figure with a title and a description.
+
+    The text of an SVG and of a PDF can be searched.
+    """
     if (kind := format_of(path)) == ".svg":
         from .sheet import svg
 
@@ -205,7 +225,10 @@ def phase_slices(samples: Samples) -> list[tuple[str, slice]]:
 
 
 def level(slope: float, x: Any, y: Any) -> tuple[Any, Any]:
-    """Return coordinates along a plane and from it as a level camera sees them: to the right, and upwards."""
+    """Return coordinates along a plane and from it as a level camera sees them.
+
+    To the right, and upwards.
+    """
     sin, cos = math.sin(slope), math.cos(slope)
     return x * cos - y * sin, x * sin + y * cos
 
@@ -228,7 +251,10 @@ def draw_plane(axes: Axes, slope: float, width: float = CURVE) -> None:
 
 
 def seen_heights(samples: Samples, slope: float) -> tuple[float, float]:
-    """Return the lowest height of plane and hoops, 0 on a level plane, and the highest of the centre."""
+    """Return the lowest height of plane and hoops, and the highest of the centre.
+
+    The lowest is 0 on a level plane.
+    """
     _, heights = level(slope, samples.x, samples.centre_y)
     _, feet = level(slope, samples.x, np.zeros_like(samples.x))
     low = 0.0 if slope == 0.0 else float(min(np.min(feet), np.min(heights) - 1.0))
@@ -238,7 +264,10 @@ def seen_heights(samples: Samples, slope: float) -> tuple[float, float]:
 def draw_hoop(
     axes: Axes, hoop: HoopLike, x: float, y: float, theta: float, *, alpha: float = 1.0
 ) -> list[Any]:
-    """Draw a hoop with its particle and its mass centre on its plane as a level camera sees it; returns the artists."""
+    """Draw a hoop with its particle and its mass centre on its plane as a level camera sees it.
+
+    Returns the artists.
+    """
     patches, lines = require("matplotlib.patches"), require("matplotlib.lines")
     x, y = level(hoop.slope, x, y)
     theta += hoop.slope

@@ -83,7 +83,8 @@ def phase_plane(
     axes.add_collection(
         PolyCollection(core.rolling_region(*window), facecolors=REGION, edgecolors="none", zorder=0)
     )
-    for piece in core.curve("normal_force_zero", *window)[0]:
+    limit = core.curve("normal_force_zero", *window)
+    for piece in limit["pieces"] if limit else ():
         angles, rates = zip(*piece, strict=True)
         edge = math.copysign(most, rates[0])
         axes.fill_between(
@@ -102,8 +103,11 @@ def phase_plane(
         ("slip_limit", 2),
         ("separatrix", 1),
     ):
-        pieces, letter = core.curve(name, *window)
-        axes.add_collection(LineCollection(pieces, **of_curve(name), zorder=order))
+        curve = core.curve(name, *window)
+        if curve is None:
+            continue
+        axes.add_collection(LineCollection(curve["pieces"], **of_curve(name), zorder=order))
+        letter = curve["place_of_letter"]
         if letter is not None:
             axes.text(
                 letter[0],

@@ -1,4 +1,7 @@
-"""What Matplotlib draws on: letters, frame, ticks and lines of the figures that the compiled module draws."""
+"""What Matplotlib draws on.
+
+Letters, frame, ticks and lines of the figures that the compiled module draws.
+"""
 
 from __future__ import annotations
 
@@ -51,7 +54,10 @@ def _letters() -> str:
 
 
 def settings(width_mm: float | None = None) -> dict[str, Any]:
-    """Return settings of Matplotlib for a screen, or for a width in print, where the letters of ticks have 7 points."""
+    """Return settings of Matplotlib for a screen, or for a width in print.
+
+    In print the letters of ticks have 7 points.
+    """
     unit = _SCREEN if width_mm is None else _PRINT
     wide = _WIDE * unit / 72.0 if width_mm is None else width_mm / _MM
     fine, curve, tick, letter, small = (
@@ -104,7 +110,10 @@ def settings(width_mm: float | None = None) -> dict[str, Any]:
 
 
 class Sheet(Figure):
-    """A figure whose texts carry marks: `*θ*` for a symbol, `_{s}` below and `^{2}` above the line."""
+    """A figure whose texts carry marks.
+
+    `*θ*` for a symbol, `_{s}` below and `^{2}` above the line.
+    """
 
     def draw(self, renderer: RendererBase) -> None:
         """Draw it, its texts set."""
@@ -130,7 +139,10 @@ def power(value: float) -> str:
 
 
 def listed(values: Sequence[T]) -> Iterator[tuple[T, dict[str, Any]]]:
-    """Return each value of a list with the colour and the dashes of its line, which mean nothing else."""
+    """Return each value of a list with the colour and the dashes of its line.
+
+    These mean nothing else.
+    """
     looks = [
         {"color": colour, "linestyle": dash}
         for colour, dash in zip((*ACCENTS.values(), INK), LIST_DASHES, strict=False)
@@ -178,7 +190,10 @@ def panels(
 
 
 def svg(figure: Figure, title: str, description: str) -> str:
-    """Return an SVG with a title, a description, and each text as a label of its outlines, as figures have them."""
+    """Return an SVG with a title and a description.
+
+    Each text is a label of its outlines, as figures have them.
+    """
     file = io.StringIO()
     with mpl.rc_context({"svg.fonttype": "path", "svg.hashsalt": "littlewood"}):
         figure.savefig(
@@ -193,7 +208,10 @@ def svg(figure: Figure, title: str, description: str) -> str:
 
 
 def _upright(text: str) -> str:
-    """Return a text without mathematical symbols for italics and signs of our font, by which nobody searches."""
+    """Return a text without mathematical symbols for italics and signs of our font.
+
+    Nobody searches by these.
+    """
     text = re.sub("[\ue000-\ue1ff]", lambda found: chr(ord(found[0]) & 0xFF), text)
     return re.sub(
         "[ℎ\U0001d434-\U0001d7ff]", lambda found: unicodedata.normalize("NFKC", found[0]), text

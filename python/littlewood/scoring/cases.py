@@ -1,4 +1,7 @@
-"""The cases by which solvers are scored: those of the data set, of which the benchmark is a part, by name."""
+"""The cases by which solvers are scored.
+
+Those of the data set, of which the benchmark is a part, by name.
+"""
 
 from __future__ import annotations
 
@@ -48,7 +51,10 @@ _FILE: Mapping[str, Any] = json.loads(
 )
 
 VERSION: str = _FILE["version"]
-"""Version of the cases: a name stands for the same motion as long as its first number does not change."""
+"""Version of the cases.
+
+A name stands for the same motion as long as its first number does not change.
+"""
 
 CATEGORIES: Mapping[str, str] = MappingProxyType(_FILE["categories"])
 """What the benchmark tests: names, and what they mean."""

@@ -94,7 +94,8 @@ def convergence(scores: Sequence[Score], steps: Sequence[float] | None = None) -
         )
     if not np.all(errors > 0.0):
         raise ValueError(
-            f"the largest error at step {sizes[errors == 0.0][0]} sqrt(R/g) is 0: it has no logarithm"
+            f"the largest error at step {sizes[errors == 0.0][0]} sqrt(R/g) is 0: it has no "
+            f"logarithm"
         )
     order = float(np.polyfit(np.log(sizes), np.log(errors), 1)[0])
     return Convergence(tuple(one for _, one in ordered), tuple(sizes.tolist()), order)

@@ -19,7 +19,10 @@ __all__ = ["doubts"]
 
 
 _AT_ONCE, _SOON = 1e-3, 0.05
-"""What the first row, and those up to `_EARLY`, may be off (R, rad): a start is exact, and errors grow."""
+"""What the first row, and those up to `_EARLY`, may be off (R, rad).
+
+A start is exact, and errors grow.
+"""
 
 _EARLY = 0.3
 """Up to this time, √(R/g), rows tell units and signs of velocities."""
@@ -53,8 +56,9 @@ _CHANGES: dict[str, Change] = {
         theta=p.theta + _off(m, p)
     ),
     "x does not begin at 0": lambda m, p: p._replace(x=p.x - p.x[0] + float(m(p.time[0]).x)),
-    "x and y are those of the mass centre: they must be those of the geometric centre": lambda m, p: (
-        p._replace(x=p.x + m.hoop.h * np.sin(p.theta), y=p.y - m.hoop.h * np.cos(p.theta))
+    "x and y are those of the mass centre: they must be those of the geometric "
+    "centre": lambda m, p: p._replace(
+        x=p.x + m.hoop.h * np.sin(p.theta), y=p.y - m.hoop.h * np.cos(p.theta)
     ),
     "y is the gap under the rim: it must be the height of the centre, 1 in contact": lambda _, p: (
         p._replace(y=p.y + 1)
@@ -145,7 +149,10 @@ def _first_row(motion: Trajectory, path: _Path) -> dict[str, float]:
 
 
 def _distance(motion: Trajectory, path: _Path) -> tuple[float, float] | None:
-    """How far the first row, and the early ones, are off; None if the motion has too few of them."""
+    """How far the first row, and the early ones, are off.
+
+    None if the motion has too few of them.
+    """
     end = min(path.time[0] + _EARLY, motion.end_time)
     at = np.flatnonzero(path.time <= end)
     if at.size < 3:

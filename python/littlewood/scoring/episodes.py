@@ -25,7 +25,10 @@ _SHORT = 3.0
 """What is shorter than so many steps of a record is not told from an instant."""
 
 _SLACK = 1.5
-"""A contact between two flights is an impact if the height that counts as contact explains it, so many times over."""
+"""How far a height that counts as contact explains an impact, as a factor.
+
+A contact between two flights is an impact if it explains it, so many times over.
+"""
 
 
 @dataclass(frozen=True)
@@ -108,14 +111,20 @@ def _episodes(record: Record, within: Tolerances) -> list[Episode]:
 
 
 def _contacts_between_flights(is_high: npt.NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First interval, and that after the last, of each run in contact that begins and ends with a flight."""
+    """First interval, and that after the last, of each run in contact.
+
+    Each begins and ends with a flight.
+    """
     begins = np.flatnonzero(is_high[:-1] & ~is_high[1:]) + 1
     ends = np.flatnonzero(~is_high[:-1] & is_high[1:]) + 1
     return [(int(a), int(ends[ends > a][0])) for a in begins if np.any(ends > a)]
 
 
 def _passage(record: Record, i: int, within: Tolerances) -> float:
-    """How long the rim takes through the height that counts as contact, with its velocity at an edge of the contact."""
+    """How long the rim takes through the height that counts as contact.
+
+    It has its velocity at an edge of the contact.
+    """
     if record.contact is not None:
         return 0.0
     low = max(i - 1, 0)
@@ -137,7 +146,10 @@ def _crossing(time: Reals, gap: Reals, i: int, bound: float) -> float:
 
 
 def _parted(episode: Episode, record: Record, within: Tolerances) -> list[Episode]:
-    """A flight, parted where lines through the heights before and behind meet on the plane, between two instants."""
+    """A flight between two instants.
+
+    It is parted where lines through the heights before and behind meet on the plane.
+    """
     if episode.what != FLIGHT:
         return [episode]
     time, gap = record.time, record.y - 1.0

@@ -1,4 +1,7 @@
-"""Derivatives of a motion that a differentiable solver has computed, held against the exact ones."""
+"""Derivatives of a motion, held against the exact ones.
+
+A differentiable solver has computed them.
+"""
 
 from __future__ import annotations
 
@@ -50,7 +53,10 @@ class PhaseGradient:
 
     @property
     def relative(self) -> float:
-        """The error over the size; infinite where the exact derivative is 0 and that of the solver is not."""
+        """The error over the size.
+
+        Infinite where the exact derivative is 0 and that of the solver is not.
+        """
         return self.error / self.size if self.size else 0.0 if self.error == 0.0 else np.inf
 
 
@@ -85,10 +91,12 @@ class GradientScore:
 
     def __str__(self) -> str:
         lines = [
-            f"{'phase':10}{'from':>10}{'to':>10}{'exact':>11}{'error':>11}{'relative':>10}{'wrong signs':>13}"
+            f"{'phase':10}{'from':>10}{'to':>10}{'exact':>11}{'error':>11}"
+            f"{'relative':>10}{'wrong signs':>13}"
         ]
         lines += [
-            f"{phase.mode:10}{phase.begin:>10.4f}{phase.end:>10.4f}{phase.size:>11.2e}{phase.error:>11.2e}"
+            f"{phase.mode:10}{phase.begin:>10.4f}{phase.end:>10.4f}"
+            f"{phase.size:>11.2e}{phase.error:>11.2e}"
             f"{phase.relative:>10.1e}{phase.wrong_signs:>13.0%}"
             for phase in self.phases
         ]

@@ -87,7 +87,8 @@ class Record:
             values = getattr(self, name)
             if values.shape != self.time.shape:
                 raise ValueError(
-                    f"{name} has shape {values.shape}, time has {self.time.shape}: they must be the same"
+                    f"{name} has shape {values.shape}, time has {self.time.shape}: they must be "
+                    f"the same"
                 )
             bad = np.flatnonzero(~np.isfinite(values))
             if bad.size:
@@ -96,7 +97,8 @@ class Record:
         if falls.size:
             i = int(falls[0])
             raise ValueError(
-                f"time[{i + 1}] = {self.time[i + 1]} must be greater than time[{i}] = {self.time[i]} sqrt(R/g)"
+                f"time[{i + 1}] = {self.time[i + 1]} must be greater than time[{i}] = "
+                f"{self.time[i]} sqrt(R/g)"
             )
 
     @property

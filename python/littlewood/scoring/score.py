@@ -28,7 +28,10 @@ __all__ = ["EventScore", "Score", "score", "true_events"]
 _CHANNELS = ("x", "y", "theta")
 
 _LASTING = 4
-"""Energy that is higher for fewer intervals is a jump of the positions, of which velocities are differences."""
+"""Intervals over which energies are compared.
+
+Energy that is higher for fewer is a jump of the positions, of which velocities are differences.
+"""
 
 _MANY = 10
 """Spurious events beyond so many are counted, not listed."""
@@ -62,13 +65,19 @@ class EventScore:
 
     @property
     def error(self) -> float | None:
-        """How much later the solver has it than the exact motion, both read in the same way, √(R/g)."""
+        """How much later the solver has it than the exact motion, √(R/g).
+
+        Both are read in the same way.
+        """
         at = self.exact if self.read is None else self.read
         return None if at is None or self.found is None else self.found - at
 
     @property
     def verdict(self) -> str:
-        """One of found, missed, spurious, unreadable (in the exact motion, too), cut, and artefact (of the reading)."""
+        """One of found, missed, spurious, unreadable, cut, and artefact.
+
+        Unreadable it is in the exact motion, too; an artefact is one of the reading.
+        """
         if self.found is not None:
             if self.exact is not None:
                 return "found"
@@ -140,7 +149,10 @@ class Score:
 
     @property
     def energy_gained(self) -> float:
-        """Largest energy above that of the exact motion for four intervals or longer, m2 g R; 0 if there is none."""
+        """Largest energy above that of the exact motion for four intervals or longer, m2 g R.
+
+        0 if there is none.
+        """
         count = min(_LASTING, self.energy_error.size)
         lasting = np.lib.stride_tricks.sliding_window_view(self.energy_error, count).min(axis=1)
         return max(0.0, float(np.max(lasting)))
@@ -236,8 +248,10 @@ def _lines(score: Score) -> list[str]:
         f"error at the end {score.energy_error[-1] * joule:.2e}",
         f"slip while rolling  {score.slip_while_rolling * metre:.2e}",
         f"penetration         {score.penetration * metre:.2e}",
-        f"step                {score.record.step * second:.3g}, up to {score.record.time[-1] * second:.6g}",
-        f"units               {'s, m, rad, J' if units else '(2.9): time √(R/g), length R, angle rad, energy m₂gR'}",
+        f"step                {score.record.step * second:.3g}, up to "
+        f"{score.record.time[-1] * second:.6g}",
+        f"units               "
+        f"{'s, m, rad, J' if units else '(2.9): time √(R/g), length R, angle rad, energy m₂gR'}",
     ]
     return lines
 
@@ -256,14 +270,19 @@ def _summarised(score: Score, second: float) -> list[str]:
     noise = slip_noise(score.record)
     if noise > score.tolerances.slip:
         lines.append(
-            f"The slip velocity has noise of about {noise:.1e} √(gR), above the tolerance {score.tolerances.slip:g}: "
-            "rounded or noisy positions at so short a step. Give velocities, fewer rows, or a larger --slip."
+            f"The slip velocity has noise of about {noise:.1e} √(gR), above the tolerance "
+            f"{score.tolerances.slip:g}: "
+            "rounded or noisy positions at so short a step. Give velocities, fewer rows, or a "
+            "larger --slip."
         )
     return lines
 
 
 def slip_noise(record: Record) -> float:
-    """Return the size of the noise of the slip velocity, √(gR): from differences that a smooth motion has not."""
+    """Return the size of the noise of the slip velocity, √(gR).
+
+    From differences that a smooth motion has not.
+    """
     slip = record.slip_between
     if slip.size < _LASTING:
         return 0.0
@@ -305,10 +324,11 @@ def score(
 
     Notes
     -----
-    Events are read from positions, which every solver has, and from the flags of contact and the rates that it gives.
-    The hoop counts as in flight where the rim is higher than a tolerance, and as rolling where the point of contact
-    slides more slowly than another. The exact motion is read in the same way at the same instants: what can't be read
-    there is held against no solver, and the error of an event is that of the solver alone.
+    Events are read from positions, which every solver has, and from the flags of contact and
+    the rates that it gives. The hoop counts as in flight where the rim is higher than a
+    tolerance, and as rolling where the point of contact slides more slowly than another. The
+    exact motion is read in the same way at the same instants: what can't be read there is held
+    against no solver, and the error of an event is that of the solver alone.
     """
     within = tolerances or Tolerances()
     true = list(true_events(motion) if events is None else (Event(*one) for one in events))
@@ -407,8 +427,10 @@ def _parts(
     )
     if np.count_nonzero(is_inside) < 3:
         raise ValueError(
-            f"the record, from time = {record.time[0]} to {record.time[-1]} sqrt(R/g), has fewer than three instants "
-            f"within the motion, from {first} to {last} sqrt(R/g){''.join(f'; {doubt}' for doubt in doubtful)}"
+            f"the record, from time = {record.time[0]} to {record.time[-1]} sqrt(R/g), has fewer "
+            f"than three instants "
+            f"within the motion, from {first} to {last} "
+            f"sqrt(R/g){''.join(f'; {doubt}' for doubt in doubtful)}"
         )
     landing = _landing(motion)
     is_behind = (record.time > last) & (record.time <= last + within.time) & (landing is not None)
@@ -416,7 +438,10 @@ def _parts(
 
 
 def _exactly(motion: Trajectory, record: Record) -> Record:
-    """The exact motion as a record with the instants and columns of another; behind its landing the hoop rests."""
+    """The exact motion as a record with the instants and columns of another.
+
+    Behind its landing the hoop rests.
+    """
     samples = motion(np.minimum(record.time, motion.end_time))
     x, y, theta = (np.array(samples[name]) for name in ("x", "centre_y", "theta"))
     is_behind = record.time > motion.end_time
@@ -432,7 +457,10 @@ def _exactly(motion: Trajectory, record: Record) -> Record:
 
 
 def _energy_error(motion: Trajectory, record: Record) -> Reals:
-    """Energy (2.8) less that of the exact motion; 0 about an impact, where it depends on the instant."""
+    """Energy (2.8) less that of the exact motion.
+
+    0 about an impact, where it depends on the instant.
+    """
     exact = _exactly(motion, record)
     # The same differences of the exact motion: what they leave out is in both.
     time, error = record.time, _energy(motion, record) - _energy(motion, exact)

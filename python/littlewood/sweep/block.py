@@ -15,7 +15,10 @@ from ..tables import AXES
 
 
 class Limits(NamedTuple):
-    """When to stop a motion: at `until`, √(R/g), if any; after `max_transitions` or `max_slides`; by what `proof`."""
+    """When to stop a motion: at `until`, √(R/g), if any; after `max_transitions` or `max_slides`.
+
+    By what `proof`.
+    """
 
     until: float | None
     max_transitions: int

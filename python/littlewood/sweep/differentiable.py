@@ -59,7 +59,9 @@ class Problem:
         return self._follow(names, arrays, ())
 
     def numbers_and_slopes(self, names: tuple[str, ...], *arrays: Any) -> tuple[Reals, ...]:
-        """Return the columns, then the derivatives of the first by each quantity, of the second, and so on.
+        """Return the columns, then their derivatives.
+
+        Those of the first by each quantity come first, then those of the second, and so on.
 
         Where a column is NaN, as its event does not happen, its derivatives are 0.
         """

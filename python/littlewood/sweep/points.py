@@ -117,7 +117,9 @@ def _real(name: str, value: Any) -> Any:
 
 
 def fill(hoop: Hoop | None, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return all quantities that a sweep can vary: what is given, over the hoop, over the defaults of the table.
+    """Return all quantities that a sweep can vary.
+
+    What is given, over the hoop, over the defaults of the table.
 
     An optional one that is not given is left out.
 
@@ -167,7 +169,9 @@ _RELATED = (COEFFICIENTS, _BODY, (*_BODY, "restitution"), (*_BODY, "gap_rate"))
 
 
 def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
-    """Refuse a hoop without physical meaning, as far as it does not lie in a combination of two that vary.
+    """Refuse a hoop without physical meaning.
+
+    As far as that does not lie in a combination of two that vary.
 
     Returns the law of restitution that holds, if any.
     """
@@ -192,7 +196,10 @@ def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
 
 
 def _worst(name: str, known: Mapping[str, Any]) -> Any:
-    """Return the first value that breaks a relation, or one that breaks none: others are refused in the computation."""
+    """Return the first value that breaks a relation, or one that breaks none.
+
+    Others are refused in the computation.
+    """
     values = np.asarray(getattr(known[name], "data", known[name])).ravel()
     if name == "mu_k":
         bad = values > known["mu_s"]
@@ -259,7 +266,10 @@ def broadcast(values: Mapping[str, Any], law: str | None) -> Points:
 
 
 def grid(values: Mapping[str, Any], law: str | None, order: Sequence[str]) -> Points:
-    """Make a grid: each one-dimensional quantity is an axis of its own, in this order; scalars are fixed."""
+    """Make a grid: each one-dimensional quantity is an axis of its own, in this order.
+
+    Scalars are fixed.
+    """
     xr = require("xarray")
     sizes: dict[str, int] = {}
     variables = {}

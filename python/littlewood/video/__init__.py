@@ -1,4 +1,6 @@
-"""Videos: a hoop and its marker found in the frames of a video, videos of simulated motions, both in one video.
+"""Videos of hoops, found and made.
+
+A hoop and its marker found in the frames of a video, videos of simulated motions, both in one.
 
 :func:`littlewood.track_video` makes a track of a video, :func:`littlewood.fit` finds friction,
 inertia and restitution by it, and :func:`overlay_video` draws the fitted motion over the video.

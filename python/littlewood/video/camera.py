@@ -51,7 +51,8 @@ class Camera:
             )
         if not (self.position_m[2] > 0.0 and self.target_m[2] < self.position_m[2]):
             raise ValueError(
-                f"position_m = {self.position_m} must be in front of the plane, z > 0, and of its target"
+                f"position_m = {self.position_m} must be in front of the plane, z > 0, and of its "
+                f"target"
             )
 
     @property

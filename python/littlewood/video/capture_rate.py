@@ -1,4 +1,6 @@
-"""The rate at which a telephone took a video, as its file says it: the key `com.android.capture.fps`.
+"""The rate at which a telephone took a video, as its file says it.
+
+The key `com.android.capture.fps`.
 
 OpenCV does not show it. A file of MPEG-4 or QuickTime consists of boxes, each with its length and
 its kind, of which some hold others. Those of the movie hold a table of keys and a list of values.
@@ -33,7 +35,9 @@ class _Box(NamedTuple):
 
 
 def capture_rate(path: str | Path) -> float | None:
-    """Return the frames a second at which a video was taken, as its file says it; None where it does not.
+    """Return the frames a second at which a video was taken, as its file says it.
+
+    None where it does not.
 
     Metadata that cannot be understood say nothing.
     """
@@ -80,7 +84,10 @@ def _boxes(file: BinaryIO, begin: int, end: int, left: Iterator[int]) -> Iterato
 
 
 def _in_metadata(file: BinaryIO, box: _Box, left: Iterator[int]) -> float | None:
-    """Return the rate of a box of metadata: that of the place which the key has in the table of keys."""
+    """Return the rate of a box of metadata.
+
+    That of the place which the key has in the table of keys.
+    """
     begin = box.begin
     file.seek(begin + 4)
     # QuickTime puts the boxes at once, MPEG-4 a version before them.

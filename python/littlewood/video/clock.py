@@ -21,8 +21,8 @@ _GRAINS_S = (0.01, 0.001)
 _ROUNDING_S = 1e-6
 # From which part of an interval on its error is said.
 _UNEVEN = 0.1
-# A film that was taken at about the rate at which it is played is no slow motion: cameras take fewer
-# frames in the dark. Slow motion is slower by a whole factor, to the error of the rates.
+# A film that was taken at about the rate at which it is played is no slow motion: cameras take
+# fewer frames in the dark. Slow motion is slower by a whole factor, to the error of the rates.
 _REAL_TIME = 1.5
 _SAME_RATE = 0.02
 
@@ -79,7 +79,8 @@ class Clock:
             fps = self.taken
         if fps is None:
             raise ValueError(
-                f"fps is missing: the video is played at {self.rate:.6g} frames a second, and its file "
+                f"fps is missing: the video is played at {self.rate:.6g} frames a second, and its "
+                f"file "
                 "does not say at which rate they were taken; in slow motion they are more"
             )
         fps = real(fps, "fps")
@@ -88,7 +89,10 @@ class Clock:
         return fps
 
     def seconds(self, fps: float | None = None) -> Reals:
-        """Return when the frames were taken, from the first on, s; `fps` as that of :func:`littlewood.track_video`."""
+        """Return when the frames were taken, from the first on, s.
+
+        `fps` as that of :func:`littlewood.track_video`.
+        """
         return self.time_s * (self.rate / self.require_rate(fps))
 
     def facts(self, fps: float | None = None) -> list[str]:
@@ -114,7 +118,8 @@ class Clock:
         if self.lost:
             said.append(
                 f"The film has {self.gaps} {'gap' if self.gaps == 1 else 'gaps'}, in which "
-                f"{self.lost} {'frame is' if self.lost == 1 else 'frames are'} lost; the largest takes "
+                f"{self.lost} {'frame is' if self.lost == 1 else 'frames are'} lost; the largest "
+                f"takes "
                 f"{steps.max():.3g} s. Times are those of the file."
             )
         if not self.is_even:
@@ -166,7 +171,8 @@ def clock_of(path: str | Path) -> Clock:
         i = int(falls[0])
         raise UnreadableVideoError(
             str(path),
-            f"frame {i + 1} is at {time_s[i + 1]:.6g} s, that before at {time_s[i]:.6g} s: times must "
+            f"frame {i + 1} is at {time_s[i + 1]:.6g} s, that before at {time_s[i]:.6g} s: times "
+            f"must "
             "grow; convert it: ffmpeg -i FILE converted.mp4",
         )
     step, counts, grain = _regular(time_s)
@@ -191,7 +197,10 @@ def rate_of(path: str | Path) -> float:
 
 
 def _regular(time_s: Reals) -> tuple[float, Reals, float]:
-    """Return the usual interval, how many of them there are between frames, and the tick of the file."""
+    """Return the usual interval, how many there are between frames, and the tick.
+
+    The tick is that of the file.
+    """
     steps = np.diff(time_s)
     grain = next(
         (

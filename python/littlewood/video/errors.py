@@ -57,11 +57,17 @@ class NoPictureError(UnreadableVideoError):
 
 
 class UnwritableVideoError(VideoFileError):
-    """A file that cannot be written: an unknown ending, a codec that this OpenCV does not have, or a missing folder."""
+    """A file that cannot be written.
+
+    An unknown ending, a codec that this OpenCV does not have, or a missing folder.
+    """
 
 
 class VideoWarning(UserWarning):
-    """Times of a video that are odd: lost frames, uneven times, two rates that contradict each other."""
+    """Times of a video that are odd.
+
+    Lost frames, uneven times, two rates that contradict each other.
+    """
 
 
 class TooFewFramesError(VideoError):
@@ -113,7 +119,8 @@ class NoMarkerError(VideoError):
 
     def __init__(self, frames: int, found: int, marker: str | tuple[int, int, int]) -> None:
         super().__init__(
-            f"the marker was found in {found} of {frames} frames with a hoop, half of them are needed: "
+            f"the marker was found in {found} of {frames} frames with a hoop, half of them are "
+            f"needed: "
             f"is it {marker}, and at the distance from the centre that was given?"
         )
         self.frames = frames

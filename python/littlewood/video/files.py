@@ -38,7 +38,8 @@ def open_video(path: str | Path) -> Any:
     if not capture.isOpened():
         raise UnreadableVideoError(
             str(path),
-            "OpenCV cannot decode it: is it a video? If it is, convert it: ffmpeg -i FILE converted.mp4",
+            "OpenCV cannot decode it: is it a video? If it is, convert it: ffmpeg -i FILE "
+            "converted.mp4",
         )
     return capture
 
@@ -77,7 +78,10 @@ def frames(path: str | Path, wanted: Collection[int] | None = None) -> Iterator[
 
 
 class FrameWriter:
-    """Writes frames into a `.mp4`, `.mov` (MPEG-4) or `.avi` (Motion JPEG), by default in slow motion."""
+    """Writes frames into a `.mp4`, `.mov` (MPEG-4) or `.avi` (Motion JPEG).
+
+    By default they play in slow motion.
+    """
 
     def __init__(self, path: str | Path, size: tuple[int, int], fps: float = 30.0) -> None:
         cv2 = require("cv2")

@@ -112,7 +112,9 @@ class Marker:
 
 
 class Finder:
-    """Finds a rim of known radius before a background that stands still, and a marker by its colour.
+    """Finds a rim of known radius, and a marker by its colour.
+
+    The background stands still.
 
     The edge of the rim is sought along rays of the plane of the motion, so that a circle is fitted
     to a circle and not to the ellipse of the frame.
@@ -156,7 +158,10 @@ class Finder:
         self._hue = (hue / np.linalg.norm(hue)).astype(np.float32)
 
     def difference(self, frame: Frame) -> npt.NDArray[np.uint8]:
-        """Return by how much a frame differs from the background, grey levels, smoothed over a pixel."""
+        """Return by how much a frame differs from the background, grey levels.
+
+        It is smoothed over a pixel.
+        """
         cv2 = require("cv2")
         apart = cv2.transform(cv2.absdiff(frame, self._levels), np.full((1, 3), 1.0 / 3.0))
         return np.asarray(cv2.GaussianBlur(apart, (0, 0), 0.8), dtype=np.uint8)
@@ -183,7 +188,10 @@ class Finder:
     def _outline(
         self, frame: Frame
     ) -> tuple[npt.NDArray[np.uint8], tuple[float, float, float], float] | None:
-        """Return what differs from the background, the circle about it, and which part of the rim is seen."""
+        """Return what differs from the background, the circle about it, and a part.
+
+        The part is that of the rim that is seen.
+        """
         difference = self.difference(frame)
         guess = self._guess(difference)
         if guess is None:
@@ -210,7 +218,10 @@ class Finder:
         return None if found is None or line is None else (found[1], found[2], line)
 
     def rim(self, frame: Frame) -> tuple[Reals, Reals, float] | None:
-        """Return points of the mean line of the rim in pixels, and its outer radius over theirs; None if unseen."""
+        """Return points of the mean line of the rim in pixels, and its outer radius over theirs.
+
+        None if unseen.
+        """
         found = self._line_of(frame)
         if found is None:
             return None
@@ -219,7 +230,9 @@ class Finder:
         return (*self._plane.to_pixels(*line), outline[2] / circle[2])
 
     def rounded(self, frames: Iterable[Frame]) -> Finder:
-        """Return a finder that also fits the deviation of the rim from a circle, by errors of the plane.
+        """Return a finder that also fits the deviation of the rim from a circle.
+
+        It is one by errors of the plane.
 
         A plane with a wrong perspective makes an oval of a circle, and a part of the rim that is
         hidden then moves its centre. Which oval it is depends on the place: evenly, to first order.
@@ -253,7 +266,10 @@ class Finder:
         return found
 
     def _outer_edge(self, profiles: _Profiles) -> tuple[Reals, Reals]:
-        """Return where rays from the centre leave the rim: the outermost half of the largest value near it."""
+        """Return where rays from the centre leave the rim.
+
+        The outermost half of the largest value near it.
+        """
         seen = profiles.values
         last = (
             seen.shape[1] - 1 - np.argmax((seen > 0.5 * profiles.largest[:, None])[:, ::-1], axis=1)
@@ -315,7 +331,9 @@ class Finder:
     def _means(
         self, profiles: _Profiles, rays: npt.NDArray[Any], circle: tuple[float, float, float]
     ) -> Reals:
-        """Return the mean distances of the rim along rays, as if it had not been displaced across them.
+        """Return the mean distances of the rim along rays.
+
+        They are as if it had not been displaced across them.
 
         The share of the rim along a ray is the mean over the exposure of a rim that moves along it.
         As long as there is a point that the rim never leaves, the mean is where half of the share
@@ -407,7 +425,10 @@ class Finder:
         return self._plane.to_metres(pixels[:, 0], pixels[:, 1])
 
     def _guess(self, difference: npt.NDArray[np.uint8]) -> tuple[float, float] | None:
-        """Find where a circle of the known radius has most of the outlines of what differs from the background."""
+        """Find where a circle of the known radius has most outlines.
+
+        They are those of what differs from the background.
+        """
         found = self.outlines(difference)
         if found is None or found[0].size < 20:
             return None
@@ -544,7 +565,10 @@ class _Profiles:
     def crossing(
         self, rays: npt.NDArray[Any], above: npt.NDArray[Any], below: npt.NDArray[Any]
     ) -> Reals:
-        """Return the distances at which rays fall to half of their largest value, between two neighbouring places."""
+        """Return the distances at which rays fall to half of their largest value.
+
+        They lie between two neighbouring places.
+        """
         high, low = self.values[rays, above], self.values[rays, below]
         part = (high - 0.5 * self.largest[rays]) / (high - low)
         found: Reals = self.distances[above] + part * (
@@ -563,7 +587,9 @@ class _Profiles:
     def moments(
         self, rays: npt.NDArray[Any], middle: Reals, half: Reals
     ) -> tuple[Reals, Reals, Reals, Reals]:
-        """Return sum, mean, median and variance of distances weighted by the values, up to so far from the middle.
+        """Return sum, mean, median and variance of distances weighted by the values.
+
+        Those up to so far from the middle count.
 
         On a ray without values they are far away, and no circle takes them.
         """
@@ -593,7 +619,10 @@ class _Profiles:
 def _fit_circle(
     x: Reals, y: Reals, guess: tuple[float, float, float], scale: float
 ) -> tuple[tuple[float, float, float], float, npt.NDArray[np.bool_]]:
-    """Fit a circle by distances, with Tukey's weights: circle, scatter of the edge, and which points belong to it."""
+    """Fit a circle by distances, with Tukey's weights.
+
+    Circle, scatter of the edge, and which points belong to it.
+    """
     a, b, radius = guess
     width = 4.0 * _OUTLIER * scale
     for _ in range(30):

@@ -1,4 +1,7 @@
-"""The plane of the motion, from the hoop itself: its rim is a circle of known radius, and the floor is below it."""
+"""The plane of the motion, from the hoop itself.
+
+Its rim is a circle of known radius, and the floor is below it.
+"""
 
 from __future__ import annotations
 
@@ -74,10 +77,11 @@ def find_plane(
 
     Notes
     -----
-    A homography has eight numbers, of which four are those of a similarity, which radius and floor give. The other four
-    (two of perspective, a stretch and a shear) minimise the distances of the rims from circles of one radius. Constants
-    of the camera that remain are estimated by :func:`littlewood.fit`. Measured points are better where the hoop covers
-    a small part of the frame.
+    A homography has eight numbers, of which four are those of a similarity, which radius and
+    floor give. The other four (two of perspective, a stretch and a shear) minimise the
+    distances of the rims from circles of one radius. Constants of the camera that remain are
+    estimated by :func:`littlewood.fit`. Measured points are better where the hoop covers a
+    small part of the frame.
     """
     if not (radius_m > 0.0 and math.isfinite(radius_m)):
         raise ValueError(f"radius_m = {radius_m} must be positive, m")
@@ -195,7 +199,10 @@ def _rectified(
 
 
 def _circles(x: Reals, y: Reals, owners: npt.NDArray[np.intp]) -> tuple[Reals, Reals]:
-    """Return the centres of circles through the points of each owner, and the distances of the points from them."""
+    """Return the centres of circles through the points of each owner, and distances.
+
+    They are those of the points from the centres.
+    """
     count = int(owners[-1]) + 1
 
     def means(values: Reals) -> Reals:
@@ -213,7 +220,10 @@ def _circles(x: Reals, y: Reals, owners: npt.NDArray[np.intp]) -> tuple[Reals, R
 
 
 def _floor(centres: Reals) -> tuple[float, float]:
-    """Return the angle of the floor, and the height of centres in contact in axes that are turned by it, radii."""
+    """Return the angle of the floor, and the height of centres in contact, radii.
+
+    The height is that in axes that are turned by the angle.
+    """
     best, most = (0.0, float(centres[:, 1].min())), 0
     for i in range(len(centres)):
         for j in range(len(centres)):

@@ -77,7 +77,10 @@ def _points(plane: Plane, x: Any, y: Any) -> Any:
 
 
 def _draw_hoop(drawn: Frame, motion: Trajectory, plane: Plane, time: float) -> str | None:
-    """Draw the simulated hoop into a frame, and return its mode of motion; None outside of the motion."""
+    """Draw the simulated hoop into a frame, and return its mode of motion.
+
+    None outside of the motion.
+    """
     cv2 = require("cv2")
     r = motion.hoop.require_units().length_m
     sample: Any = motion(np.array([time]))

@@ -26,13 +26,17 @@ def _points(name: str, points: npt.ArrayLike, least: int) -> Reals:
         or not np.all(np.isfinite(found))
     ):
         raise ValueError(
-            f"{name} must be at least {least} pairs of finite numbers, not an array of shape {found.shape}"
+            f"{name} must be at least {least} pairs of finite numbers, not an array of shape "
+            f"{found.shape}"
         )
     return found
 
 
 def _centred(points: Reals) -> tuple[Reals, Reals]:
-    """Return points about their mean at a mean distance of √2, and the matrix that makes them so."""
+    """Return points about their mean at a mean distance of √2, and a matrix.
+
+    The matrix makes them so.
+    """
     mean = points.mean(axis=0)
     scale = math.sqrt(2.0) / float(np.mean(np.hypot(*(points - mean).T)))
     matrix = np.array(
@@ -97,8 +101,8 @@ class Plane:
         Examples
         --------
         >>> import littlewood as lw
-        >>> board = [(0, 0), (2, 0), (2, 1), (0, 1)]
-        >>> plane = lw.video.Plane.from_points([(100, 400), (900, 420), (880, 30), (110, 10)], board)
+        >>> pixels = [(100, 400), (900, 420), (880, 30), (110, 10)]
+        >>> plane = lw.video.Plane.from_points(pixels, [(0, 0), (2, 0), (2, 1), (0, 1)])
         >>> [round(float(value), 6) for value in plane.to_metres(900, 420)]
         [2.0, 0.0]
         """
@@ -139,7 +143,8 @@ class Plane:
         (u0, v0), (u1, v1) = left, right
         if not (length_m > 0.0 and math.isfinite(length_m) and u1 > u0):
             raise ValueError(
-                f"a line of {length_m} m from {left} to {right} must have a length and go to the right"
+                f"a line of {length_m} m from {left} to {right} must have a length and go to the "
+                f"right"
             )
         a, b = (u1 - u0) / length_m, (v1 - v0) / length_m
         return cls(np.array([[a, b, u0], [b, -a, v0], [0.0, 0.0, 1.0]]))

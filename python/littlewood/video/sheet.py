@@ -1,4 +1,7 @@
-"""A sheet of markers to print: spots for the hoop, targets for the plane of the motion, and a ruler."""
+"""A sheet of markers to print.
+
+Spots for the hoop, targets for the plane of the motion, and a ruler.
+"""
 
 from __future__ import annotations
 
@@ -47,14 +50,16 @@ def marker_sheet(path: str | Path | None = None) -> str:
         *_text(
             _MARGIN,
             60,
-            "For the weight: one spot, a tenth to a fifth of the radius across, towards the camera.",
+            "For the weight: one spot, a tenth to a fifth of the radius across, towards the "
+            "camera.",
         ),
         *_text(_MARGIN, 65, "Its colour must be nowhere else in the picture."),
         *_spots(72),
         *_text(
             _MARGIN,
             205,
-            "For the plane, if the hoop is not to be the ruler: four targets, whose places you measure.",
+            "For the plane, if the hoop is not to be the ruler: four targets, whose places you "
+            "measure.",
         ),
         *_targets(226),
         *_text(_MARGIN, 252, "littlewood fit film.mp4 --marker red"),
@@ -74,7 +79,9 @@ def _text(
 
 
 def _ruler(left: float, top: float) -> Iterator[str]:
-    yield f'<g id="ruler" stroke="black" stroke-width="0.2"><path d="M{left} {top}H{left + _RULER}"/>'
+    yield (
+        f'<g id="ruler" stroke="black" stroke-width="0.2"><path d="M{left} {top}H{left + _RULER}"/>'
+    )
     for mm in range(_RULER + 1):
         length = 7 if mm % 10 == 0 else 5 if mm % 5 == 0 else 3
         yield f'<path d="M{left + mm} {top}v{length}"/>'
@@ -102,5 +109,9 @@ def _targets(y: float) -> Iterator[str]:
     step, r = (_WIDTH - 2 * _MARGIN) / _TARGETS, _TARGET_RADIUS
     for k in range(_TARGETS):
         x = _MARGIN + (k + 0.5) * step
-        yield f'<circle cx="{x:g}" cy="{y:g}" r="{r}" fill="none" stroke="black" stroke-width="0.3"/>'
-        yield f'<path d="M{x:g} {y:g}v{-r}a{r} {r} 0 0 1 {r} {r}zm0 0v{r}a{r} {r} 0 0 1 {-r} {-r}z"/>'
+        yield (
+            f'<circle cx="{x:g}" cy="{y:g}" r="{r}" fill="none" stroke="black" stroke-width="0.3"/>'
+        )
+        yield (
+            f'<path d="M{x:g} {y:g}v{-r}a{r} {r} 0 0 1 {r} {r}zm0 0v{r}a{r} {r} 0 0 1 {-r} {-r}z"/>'
+        )

@@ -219,7 +219,9 @@ def _frame(
 def _instants(
     motion: Trajectory, begin: float, end: float, scale: float
 ) -> tuple[Reals, Reals, float]:
-    """Return instants of an exposure, √(R/g), their weights, and the way of a point of the rim, pixels.
+    """Return instants of an exposure, √(R/g), their weights, and a way.
+
+    The way is that of a point of the rim, pixels.
 
     The instants are those of Gauss between one transition and the next: the mean over them is that
     of the motion, which steps of equal length miss by a hundredth of a pixel at an impact.
@@ -258,7 +260,10 @@ def _coverage(
     scale: float,
     way: float,
 ) -> tuple[_Pixels, _Pixels, tuple[Any, ...]]:
-    """Return how much of a pixel rim and marker cover on the average, and the pixels that they touch."""
+    """Return how much of a pixel rim and marker cover on the average.
+
+    With it come the pixels that they touch.
+    """
     x = np.asarray(samples.x * radius, dtype=np.float32)
     y = np.asarray(samples.centre_y * radius, dtype=np.float32)
     inner, spot = (1.0 - look.rim) * radius, look.marker_radius * radius
@@ -317,7 +322,9 @@ def synthetic_video(
     look: Look | None = None,
     seed: int = 0,
 ) -> Plane:
-    """Write a video of a motion as a camera would take it; arguments are those of :func:`synthetic_frames`.
+    """Write a video of a motion as a camera would take it.
+
+    Arguments are those of :func:`synthetic_frames`.
 
     Parameters
     ----------

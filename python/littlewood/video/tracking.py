@@ -127,8 +127,9 @@ def track_video(
 
     Notes
     -----
-    The time of a frame is that which the file has for it, times the rate at which the file is played over `fps`: that
-    of the beginning of its exposure. What was found is the mean over it.
+    The time of a frame is that which the file has for it, times the rate at which the file is
+    played over `fps`: that of the beginning of its exposure. What was found is the mean over
+    it.
     """
     units = hoop.require_units()
     if first < 0 or (last is not None and last <= first):
@@ -182,7 +183,10 @@ def track_video(
 
 
 def _without_others(found: npt.NDArray[np.float64]) -> None:
-    """Forget the markers with far more or far less light than is usual: something else has their colour."""
+    """Forget the markers with far more or far less light than is usual.
+
+    Something else has their colour.
+    """
     light = found[:, 6]
     seen = np.isfinite(light)
     if seen.any():
@@ -192,7 +196,10 @@ def _without_others(found: npt.NDArray[np.float64]) -> None:
 
 
 def _in_frame(finder: Finder, frame: Frame) -> tuple[float, float, float, float, float, float]:
-    """Return x, y, θ of the marker, the errors of a coordinate and of θ, and its light; NaN for what is not found."""
+    """Return x, y, θ of the marker, the errors of a coordinate and of θ, and its light.
+
+    NaN for what is not found.
+    """
     circle = finder.circle(frame)
     if circle is None:
         return (math.nan,) * 6
@@ -216,7 +223,9 @@ def finder_of(
     background: npt.ArrayLike | None = None,
     clock: Clock | None = None,
 ) -> Finder:
-    """Return the finder of the hoop in single frames, with the arguments of :func:`littlewood.track_video`.
+    """Return the finder of the hoop in single frames.
+
+    Its arguments are those of :func:`littlewood.track_video`.
 
     `clock` is that of the video, where it is known.
 
