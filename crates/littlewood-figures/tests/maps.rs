@@ -25,11 +25,7 @@ fn picture(theta: [f64; 2], shade: Shade) -> Picture {
     let mut picture = Picture::of_grid(&grid, Limits::default(), shade, size, &workers, &options)
         .expect("a picture")
         .in_vectors();
-    assert!(
-        picture
-            .follow(Limits::default(), &workers, &options)
-            .expect("good points")
-    );
+    assert!(picture.follow(&workers, &options).expect("good points"));
     picture
 }
 
