@@ -2,7 +2,6 @@
 
 use std::ffi::OsStr;
 use std::io::{self, Write};
-use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use littlewood::Trajectory;
@@ -13,7 +12,7 @@ use littlewood_film::{Encoder, FfmpegFilm, Film, FilmError, FrameSize, GifFilm, 
 use crate::args::AnimateArgs;
 use crate::error::Error;
 use crate::interrupt;
-use crate::output::Output;
+use crate::output::{Output, by_ending};
 use crate::problem::Problem;
 use crate::progress::{Bar as Progress, Count};
 use crate::request::Request;
@@ -21,12 +20,6 @@ use crate::request::Request;
 /// Seconds of film for a unit of time, and how many times slower than real a film in SI units is.
 const SLOW: f64 = 3.0;
 const SLOW_SI: f64 = 10.0;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Gif,
-    Video(Video),
-}
 
 /// Runs the command.
 pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
@@ -43,7 +36,16 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
         energy_bar,
         with,
     } = args;
-    let kind = kind_of(&out)?;
+    // None for a GIF, which needs no other program.
+    let video = by_ending(
+        &out,
+        "the film",
+        &[
+            ("gif", None),
+            ("mp4", Some(Video::Mp4)),
+            ("webm", Some(Video::WebM)),
+        ],
+    )?;
     let size = FrameSize::new(width, height).map_err(|error| Error::Film(error.into()))?;
     let problem = Problem::resolve(Request::new(&problem, Some(&run))?)?;
     let units = problem.units;
@@ -62,32 +64,15 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
         Some(pane) => film.with_pane(pane),
     };
     let output = Output::open(Some(&out))?;
-    let made = match kind {
-        Kind::Gif => write(output, |writer| {
+    let made = match video {
+        None => write(output, |writer| {
             let mut encoder = GifFilm::new(writer, &film)?;
             play(&film, &mut encoder, &Progress::new())?;
             encoder.finish().map(drop)
         }),
-        Kind::Video(video) => write_with_ffmpeg(output, &film, video),
+        Some(video) => write_with_ffmpeg(output, &film, video),
     };
     made.and_then(|()| say_what_is_shown(&film, &trajectory, units.as_ref()))
-}
-
-fn kind_of(out: &Path) -> Result<Kind, Error> {
-    let ending = out
-        .extension()
-        .and_then(OsStr::to_str)
-        .map(str::to_lowercase);
-    match ending.as_deref() {
-        Some("gif") => Ok(Kind::Gif),
-        Some("mp4") => Ok(Kind::Video(Video::Mp4)),
-        Some("webm") => Ok(Kind::Video(Video::WebM)),
-        _ => Err(Error::Out {
-            path: out.to_owned(),
-            reason: "its ending does not say what the film is to be".to_owned(),
-            hint: "the endings are .gif, .mp4 and .webm".to_owned(),
-        }),
-    }
 }
 
 /// Says up to when a motion without end is shown.

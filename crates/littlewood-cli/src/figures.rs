@@ -70,11 +70,8 @@ pub(crate) fn run(args: &FiguresArgs) -> Result<(), Error> {
     if let Some(line) = left_out.line() {
         let _ = writeln!(anstream::stderr(), "{line}");
     }
-    if written.is_empty()
-        && result.is_ok()
-        && let Some(error) = left_out.last.take()
-    {
-        return Err(error);
+    if written.is_empty() && result.is_ok() {
+        result = left_out.last.take().map_or(Ok(()), Err);
     }
     Output::Stdout.write(|writer| {
         written
@@ -175,16 +172,9 @@ impl LeftOut {
 }
 
 fn list() -> Result<(), Error> {
-    let width = FIGURES
-        .iter()
-        .map(|entry| entry.name.len())
-        .max()
-        .unwrap_or(0);
-    let case = FIGURES
-        .iter()
-        .map(|entry| entry.case.len())
-        .max()
-        .unwrap_or(0);
+    let widest = |of: fn(&FigureEntry) -> &str| FIGURES.iter().map(|it| of(it).len()).max();
+    let width = widest(|entry| entry.name).unwrap_or(0);
+    let case = widest(|entry| entry.case).unwrap_or(0);
     Output::Stdout.write(|writer| {
         for entry in FIGURES {
             writeln!(

@@ -7,7 +7,7 @@ use std::time::Instant;
 use littlewood::Limits;
 use littlewood_draw::Figure;
 use littlewood_sweep::{
-    Chunk, Columns, Grid, Picture, PictureSize, Progress, Shade, Workers, sweep_grid,
+    Chunk, ChunkView, Columns, Grid, Picture, PictureSize, Progress, Shade, Workers, sweep_grid,
 };
 
 use crate::args::MapArgs;
@@ -53,12 +53,10 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     };
     let options = work::options(&args.work, args.store.resume, cancel, &show);
     let began = Instant::now();
-    let mut report = if outputs.files.is_empty() {
-        sweep_grid(&grid, limits, &targets, None, &workers, &options)?
-    } else {
-        let mut add = |chunk: &Chunk, columns: &Columns| outputs.add(chunk, columns);
-        sweep_grid(&grid, limits, &targets, Some(&mut add), &workers, &options)?
-    };
+    let is_viewed = !outputs.files.is_empty();
+    let mut add = |chunk: &Chunk, columns: &Columns| outputs.add(chunk, columns);
+    let view = is_viewed.then_some(&mut add as &mut ChunkView<'_>);
+    let mut report = sweep_grid(&grid, limits, &targets, view, &workers, &options)?;
     if report.complete && outputs.have_picture() {
         report.complete = outputs.picture.follow(&workers, &options)?;
     }

@@ -141,6 +141,27 @@ fn open_file(path: &Path) -> io::Result<Output> {
     Ok(Output::File { temporary, path })
 }
 
+/// What an output is to be, by the ending of its name.
+pub(crate) fn by_ending<T: Copy>(
+    path: &Path,
+    what: &str,
+    endings: &[(&str, T)],
+) -> Result<T, Error> {
+    let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+    let known = endings.iter().find(|(known, _)| ending == *known);
+    known.map(|(_, kind)| *kind).ok_or_else(|| {
+        let all: Vec<String> = endings
+            .iter()
+            .map(|(known, _)| format!(".{known}"))
+            .collect();
+        Error::Out {
+            path: path.to_owned(),
+            reason: format!("the ending does not say what {what} is to be"),
+            hint: format!("names end in {}", all.join(" or ")),
+        }
+    })
+}
+
 /// The place that a path names, however it is written.
 pub(crate) fn place_of(path: &Path) -> PathBuf {
     let in_folder = || {

@@ -1,13 +1,10 @@
 //! `littlewood poster`: the story of a hoop on a page.
 
-use std::ffi::OsStr;
-use std::path::Path;
-
 use littlewood_figures::{FigureInput, check_scale, poster};
 
 use crate::args::PosterArgs;
 use crate::error::Error;
-use crate::output::Output;
+use crate::output::{Output, by_ending};
 use crate::problem::Problem;
 use crate::progress::{Bar, Count};
 use crate::request::Request;
@@ -22,7 +19,11 @@ enum Kind {
 
 /// Runs the command.
 pub(crate) fn run(args: &PosterArgs) -> Result<(), Error> {
-    let kind = kind_of(&args.out)?;
+    let kind = by_ending(
+        &args.out,
+        "the poster",
+        &[("pdf", Kind::Pdf), ("svg", Kind::Svg), ("png", Kind::Png)],
+    )?;
     check_scale(args.scale).map_err(Error::Drawing)?;
     let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
     let input = FigureInput::new(problem.hoop, problem.start, problem.limits);
@@ -37,21 +38,4 @@ pub(crate) fn run(args: &PosterArgs) -> Result<(), Error> {
     };
     drop(bar);
     output.write(|writer| writer.write_all(&bytes))
-}
-
-fn kind_of(out: &Path) -> Result<Kind, Error> {
-    let ending = out
-        .extension()
-        .and_then(OsStr::to_str)
-        .map(str::to_lowercase);
-    match ending.as_deref() {
-        Some("svg") => Ok(Kind::Svg),
-        Some("pdf") => Ok(Kind::Pdf),
-        Some("png") => Ok(Kind::Png),
-        _ => Err(Error::Out {
-            path: out.to_owned(),
-            reason: "its ending does not say what the poster is to be".to_owned(),
-            hint: "the endings are .pdf, .svg and .png".to_owned(),
-        }),
-    }
 }

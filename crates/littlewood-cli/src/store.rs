@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use littlewood_sweep::Target;
 
 use crate::error::Error;
-use crate::output::{check_folder, place_of};
+use crate::output::{by_ending, check_folder, place_of};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
@@ -23,34 +23,20 @@ const ONE_FILE: u64 = 1 << 24;
 
 /// Finds out what a path is to be, by its ending.
 pub(crate) fn kind_of(path: &Path, allowed: &[Kind]) -> Result<Kind, Error> {
-    let ending = path
-        .extension()
-        .and_then(|ending| ending.to_str())
-        .unwrap_or_default();
-    let ending = ending.to_ascii_lowercase();
-    let kind = allowed.iter().copied().find(|kind| kind.ending() == ending);
+    let endings: Vec<(&str, Kind)> = allowed.iter().map(|kind| (kind.ending(), *kind)).collect();
+    let kind = by_ending(path, "it", &endings)?;
     let missing = match kind {
-        Some(Kind::Zarr | Kind::Parquet) if !cfg!(feature = "sweep") => Some("sweep"),
-        Some(Kind::Pdf) if !cfg!(feature = "figures") => Some("figures"),
+        Kind::Zarr | Kind::Parquet if !cfg!(feature = "sweep") => Some("sweep"),
+        Kind::Pdf if !cfg!(feature = "figures") => Some("figures"),
         _ => None,
     };
-    if let Some(feature) = missing {
-        return Err(Error::NotBuilt {
+    match missing {
+        None => Ok(kind),
+        Some(feature) => Err(Error::NotBuilt {
             what: format!("what --out {} needs", path.display()),
             feature,
-        });
+        }),
     }
-    kind.ok_or_else(|| {
-        let endings: Vec<String> = allowed
-            .iter()
-            .map(|kind| format!(".{}", kind.ending()))
-            .collect();
-        Error::Out {
-            path: path.to_owned(),
-            reason: "the ending does not say what it is to be".to_owned(),
-            hint: format!("names end in {}", endings.join(" or ")),
-        }
-    })
 }
 
 impl Kind {

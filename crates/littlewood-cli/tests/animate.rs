@@ -72,7 +72,7 @@ fn the_ending_says_what_the_film_is() {
         let out = path(&folder, name);
         let message = complaint(&["animate", "figure-3", "--out", &out], 2);
         assert!(
-            message.contains("hint: the endings are .gif, .mp4 and .webm"),
+            message.contains("hint: names end in .gif or .mp4 or .webm"),
             "{message}"
         );
     }

@@ -32,7 +32,10 @@ fn another_ending_and_a_scale_out_of_bounds_are_refused() {
         &["poster", "figure-3", "--out", path.to_str().expect("UTF-8")],
         2,
     );
-    assert!(message.contains("hint: the endings are"), "{message}");
+    assert!(
+        message.contains("hint: names end in .pdf or .svg or .png"),
+        "{message}"
+    );
     let path = folder.path().join("a.png");
     let message = complaint(
         &[

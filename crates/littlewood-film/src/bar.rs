@@ -86,14 +86,17 @@ impl Bar<'_> {
     }
 }
 
-/// The bar in a column by its left end, its upper and its lower edge in pixels; what is lost hangs
-/// from the top of what was there at the start.
-pub(crate) fn draw_bar(
-    canvas: &mut Canvas,
-    [left, top, bottom]: [f64; 3],
-    bar: &Bar<'_>,
-    unit: f64,
-) {
+/// A column of the picture, in pixels.
+#[derive(Clone, Copy)]
+pub(crate) struct Column {
+    pub(crate) left: f64,
+    pub(crate) top: f64,
+    pub(crate) bottom: f64,
+}
+
+/// The bar in its column; what is lost hangs from the top of what was there at the start.
+pub(crate) fn draw_bar(canvas: &mut Canvas, column: Column, bar: &Bar<'_>, unit: f64) {
+    let Column { left, top, bottom } = column;
     canvas.rectangle((left, top), COLUMN * unit, bottom - top, PAPER);
     let left = left + BESIDE * unit;
     let (top, bottom) = (top + ABOVE * unit, bottom - BELOW * unit);
@@ -131,11 +134,17 @@ pub(crate) fn draw_bar(
             INK,
         );
     }
-    draw_words(canvas, [left + wide + 9.0 * unit, top, bottom], bar, unit);
+    let words = Column {
+        left: left + wide + 9.0 * unit,
+        top,
+        bottom,
+    };
+    draw_words(canvas, words, bar, unit);
 }
 
 /// What the colours mean, from the top of the bar down, each with its value.
-fn draw_words(canvas: &mut Canvas, [left, top, bottom]: [f64; 3], bar: &Bar<'_>, unit: f64) {
+fn draw_words(canvas: &mut Canvas, column: Column, bar: &Bar<'_>, unit: f64) {
+    let Column { left, top, bottom } = column;
     let style = Style {
         size: 10.0 * unit,
         is_bold: false,

@@ -6,6 +6,7 @@ use tiny_skia::{
     Stroke, StrokeDash, Transform,
 };
 
+use crate::camera::Window;
 use crate::colour::PAPER;
 use crate::error::FilmError;
 use crate::letters::Style;
@@ -39,11 +40,11 @@ impl Canvas {
         self.pixels.data_mut().copy_from_slice(other);
     }
 
-    /// Takes over what another picture of the same size has in a box, as far as there is such:
-    /// left, top, width, height.
-    pub(crate) fn restore(&mut self, other: &[u8], [left, top, width, height]: [f64; 4]) {
+    /// Takes over what another picture of the same size has in a window, as far as there is such.
+    pub(crate) fn restore(&mut self, other: &[u8], window: Window) {
         let sides = [self.pixels.width(), self.pixels.height()];
-        let [columns, rows] = [[left, left + width], [top, top + height]];
+        let columns = [window.left, window.left + window.width];
+        let rows = [window.top, window.top + window.height];
         let within = |ends: [f64; 2], side: u32| {
             ends.map(|value| libm::round(value.clamp(0.0, f64::from(side))) as usize)
         };

@@ -4,7 +4,7 @@ use littlewood::energy::{EnergyLedger, EnergyParts};
 use littlewood::si::Units;
 use littlewood::{Sample, Trajectory};
 
-use crate::bar::{Bar, COLUMN, draw_bar};
+use crate::bar::{Bar, COLUMN, Column, draw_bar};
 use crate::body::{draw_arrows, draw_body, draw_impulse, draw_trail};
 use crate::camera::{Camera, EXAMINED, Framing, Window};
 use crate::canvas::Canvas;
@@ -191,7 +191,7 @@ impl<'a> Film<'a> {
         self.impacts
             .iter()
             .enumerate()
-            .filter(|impact| self.schedule.shows(index, *impact))
+            .filter(|(number, impact)| self.schedule.shows(index, *number, impact))
             .map(|(_, shown)| shown)
             .max_by(|a, b| a.impact.impulse.normal.total_cmp(&b.impact.impulse.normal))
             .map(|shown| DrawnImpulse::new(shown, 1.0, self.scale))
@@ -357,16 +357,30 @@ impl<'a> Reel<'a> {
     fn restore_surroundings(&mut self) {
         let (film, canvas, ground) = (self.film, &mut self.canvas, &self.ground);
         let unit = film.size.unit();
-        let [width, height] = [film.size.width(), film.size.height()].map(f64::from);
+        let all = Window {
+            left: 0.0,
+            top: 0.0,
+            width: f64::from(film.size.width()),
+            height: f64::from(film.size.height()),
+        };
         if film.with.is_some() {
             let left = libm::round(film.window().width);
-            canvas.restore(ground, [left, HEAD * unit, width, height]);
+            let top = HEAD * unit;
+            canvas.restore(ground, Window { left, top, ..all });
         }
         if !self.camera.is_still() {
             canvas.restore(ground, inset_of(film.size));
         }
-        canvas.restore(ground, [0.0, 0.0, width, HEAD * unit]);
-        canvas.restore(ground, [0.0, height - FOOT * unit, width, height]);
+        let head = Window {
+            height: HEAD * unit,
+            ..all
+        };
+        let foot = Window {
+            top: all.height - FOOT * unit,
+            ..all
+        };
+        canvas.restore(ground, head);
+        canvas.restore(ground, foot);
     }
 
     /// The bar of the energy, if the film has one.
@@ -386,8 +400,12 @@ impl<'a> Reel<'a> {
             scale: energies.scale,
             units: film.units.as_ref(),
         };
-        let place = [window.left + window.width, top, self.camera.floor()];
-        draw_bar(&mut self.canvas, place, &bar, film.size.unit());
+        let column = Column {
+            left: window.left + window.width,
+            top,
+            bottom: self.camera.floor(),
+        };
+        draw_bar(&mut self.canvas, column, &bar, film.size.unit());
     }
 }
 
@@ -410,15 +428,15 @@ fn pane_of(size: FrameSize) -> Window {
 }
 
 /// The place of the whole path in small.
-fn inset_of(size: FrameSize) -> [f64; 4] {
+fn inset_of(size: FrameSize) -> Window {
     let u = size.unit();
     let width = inset::WIDTH * u;
-    [
-        f64::from(size.width()) - width - 12.0 * u,
-        INSET_TOP * u,
+    Window {
+        left: f64::from(size.width()) - width - 12.0 * u,
+        top: INSET_TOP * u,
         width,
-        inset::HEIGHT * u,
-    ]
+        height: inset::HEIGHT * u,
+    }
 }
 
 /// Upper end of the inset, under the clock.

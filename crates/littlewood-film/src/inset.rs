@@ -26,7 +26,7 @@ impl Inset {
     pub(crate) fn new(
         trajectory: &Trajectory,
         schedule: &Schedule,
-        [left, top, width, height]: [f64; 4],
+        window: Window,
         unit: f64,
     ) -> Self {
         let tilt = Tilt::of(trajectory.hoop());
@@ -46,19 +46,14 @@ impl Inset {
             );
             steps.push((sample.state.time, sample.mode, sample.mass_centre));
         }
-        let (wide, tall) = (width - 12.0 * unit, height - 14.0 * unit);
+        let (wide, tall) = (window.width - 12.0 * unit, window.height - 14.0 * unit);
         let scale = (wide / (to - from)).min(tall / (high - low));
         let origin = (
-            left + 0.5 * width - 0.5 * (from + to) * scale,
-            top + height - 6.0 * unit + scale * low,
+            window.left + 0.5 * window.width - 0.5 * (from + to) * scale,
+            window.top + window.height - 6.0 * unit + scale * low,
         );
         Self {
-            window: Window {
-                left,
-                top,
-                width,
-                height,
-            },
+            window,
             unit,
             view: View {
                 scale,

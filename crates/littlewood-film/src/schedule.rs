@@ -143,7 +143,7 @@ impl Schedule {
         let timeline = match pace.slow_impacts {
             Some(factor) if factor.is_finite() && factor >= 1.0 => {
                 let impacts = ShownImpact::all(trajectory, end);
-                let slowed = || Timeline::new([start, end], pace.seconds(), factor, &impacts);
+                let slowed = || Timeline::new(start, end, pace.seconds(), factor, &impacts);
                 (!impacts.is_empty()).then(slowed)
             }
             Some(factor) => return Err(FilmError::SlowImpacts { factor }),
@@ -219,7 +219,7 @@ impl Schedule {
 
     /// Whether the impulse of an impact is still in the picture at a frame: for a short while, and
     /// as long as the film is slow.
-    pub(crate) fn shows(&self, index: u64, (number, impact): (usize, &ShownImpact)) -> bool {
+    pub(crate) fn shows(&self, index: u64, number: usize, impact: &ShownImpact) -> bool {
         let second = self.second(index);
         let [from, until] = match &self.timeline {
             Some(timeline) => timeline

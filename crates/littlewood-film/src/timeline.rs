@@ -44,7 +44,8 @@ impl Timeline {
     /// Times from `start` to `end` at so many seconds of film for a unit of time, and at `factor`
     /// times as many about the impacts that are noticeable.
     pub(crate) fn new(
-        [start, end]: [f64; 2],
+        start: f64,
+        end: f64,
         pace: f64,
         factor: f64,
         impacts: &[ShownImpact],
@@ -60,8 +61,8 @@ impl Timeline {
         for (i, (number, at)) in shown.iter().enumerate() {
             let next = shown.get(i + 1).map_or(end, |(_, next)| 0.5 * (at + next));
             let (begin, stop) = ((at - AROUND).max(from), (at + AROUND).min(next).min(end));
-            timeline.push([from, begin], pace, Kind::Even);
-            timeline.push([begin, *at], factor * pace, Kind::Slow);
+            timeline.push(from, begin, pace, Kind::Even);
+            timeline.push(begin, *at, factor * pace, Kind::Slow);
             let still = timeline.seconds();
             let (seconds, times) = ([still, still + STILL_S], [*at, *at]);
             timeline.parts.push(Part {
@@ -69,19 +70,19 @@ impl Timeline {
                 times,
                 kind: Kind::Impact(*number),
             });
-            timeline.push([*at, stop], factor * pace, Kind::Slow);
+            timeline.push(*at, stop, factor * pace, Kind::Slow);
             from = stop;
         }
-        timeline.push([from, end], pace, Kind::Even);
+        timeline.push(from, end, pace, Kind::Even);
         timeline
     }
 
-    fn push(&mut self, times: [f64; 2], pace: f64, kind: Kind) {
-        if times[1] > times[0] {
-            let from = self.seconds();
+    fn push(&mut self, from: f64, to: f64, pace: f64, kind: Kind) {
+        if to > from {
+            let second = self.seconds();
             self.parts.push(Part {
-                seconds: [from, from + pace * (times[1] - times[0])],
-                times,
+                seconds: [second, second + pace * (to - from)],
+                times: [from, to],
                 kind,
             });
         }

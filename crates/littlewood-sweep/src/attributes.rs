@@ -93,7 +93,7 @@ pub(crate) fn of_words(column: SummaryColumn) -> Attributes {
     attributes
 }
 
-fn attributes_of<const N: usize>(attributes: [(&str, Value); N]) -> Attributes {
+fn attributes_of<'a>(attributes: impl IntoIterator<Item = (&'a str, Value)>) -> Attributes {
     attributes
         .into_iter()
         .map(|(name, value)| (name.to_owned(), value))

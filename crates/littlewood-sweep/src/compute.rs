@@ -342,7 +342,7 @@ impl Job<'_> {
                     .map(|places| {
                         let mut columns = Columns::blank(places.len(), self.points.derivatives);
                         let watch = &mut self.watch.clone();
-                        self.compute(engine.as_deref(), places, (&mut columns, 0), watch)?;
+                        self.compute(engine.as_deref(), places, &mut columns, 0, watch)?;
                         Ok(Task {
                             places: Cow::Borrowed(places),
                             columns,
@@ -359,7 +359,7 @@ impl Job<'_> {
                 let mut first = 0;
                 for group in groups {
                     let engine = prepared(group)?;
-                    self.compute(engine.as_deref(), group, (&mut columns, first), watch)?;
+                    self.compute(engine.as_deref(), group, &mut columns, first, watch)?;
                     first += group.len();
                 }
                 vec![Task {
@@ -420,7 +420,8 @@ impl Job<'_> {
         &self,
         engine: Option<&Engine>,
         places: &[u32],
-        (columns, first): (&mut Columns, usize),
+        columns: &mut Columns,
+        first: usize,
         watch: &mut Watch<'_>,
     ) -> Result<(), Halt> {
         for (i, &place) in (first..).zip(places) {

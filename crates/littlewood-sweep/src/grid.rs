@@ -7,6 +7,7 @@ use littlewood::{Hoop, HoopParameters};
 
 use crate::axis::{Axis, AxisError};
 use crate::getters::getters;
+use crate::regions::Place;
 use crate::setup::quantities;
 
 /// The points of a grid, numbered row by row: the last axis runs fastest.
@@ -127,7 +128,7 @@ impl Grid {
 
     /// The point at these fractions of the way along the axes; axes beyond them have their first
     /// value.
-    pub(crate) fn point_between(&self, place: [f64; 2]) -> Setup {
+    pub(crate) fn point_between(&self, place: Place) -> Setup {
         let mut point = self.base;
         for (axis, fraction) in self.axes.iter().zip(place) {
             axis.varies().set(&mut point, axis.between(fraction));

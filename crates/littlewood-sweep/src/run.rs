@@ -91,12 +91,9 @@ pub(crate) fn run(
                                 share_hoop: false,
                                 derivatives: &derivatives,
                             };
-                            let found = workers.follow_points(
-                                points,
-                                starts_of_a_hoop,
-                                limits,
-                                &ledger.watch(),
-                            );
+                            let watch = ledger.watch();
+                            let found =
+                                workers.follow_points(points, starts_of_a_hoop, limits, &watch);
                             encode(input, found, destinations)
                         })
                         .collect::<Vec<_>>()

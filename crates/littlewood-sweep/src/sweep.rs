@@ -12,7 +12,7 @@ use crate::grid::Grid;
 use crate::options::{MOST_CHUNK_POINTS, MOST_CHUNKS, Options};
 #[cfg(feature = "parquet")]
 use crate::parquet::Table;
-use crate::run::{Report, run};
+use crate::run::{Report, View, run};
 use crate::source::{GridSource, ListSource, Source as _};
 use crate::starts::StartList;
 #[cfg(feature = "zarr")]
@@ -69,20 +69,10 @@ pub fn sweep_grid(
         grid,
         chunks: chunks.clone(),
     };
-    match view {
-        None => run(&mut source, &destinations, None, limits, workers, options),
-        Some(view) => {
-            let mut view = |number: usize, columns: &Columns| view(&chunks.chunk(number), columns);
-            run(
-                &mut source,
-                &destinations,
-                Some(&mut view),
-                limits,
-                workers,
-                options,
-            )
-        }
-    }
+    let mut view =
+        view.map(|view| |number: usize, columns: &Columns| view(&chunks.chunk(number), columns));
+    let view = view.as_mut().map(|view| view as View<'_>);
+    run(&mut source, &destinations, view, limits, workers, options)
 }
 
 /// Computes a list of starts into any number of Parquet targets at once, one row a start in the

@@ -9,7 +9,7 @@ use super::map::Picture;
 use super::names::is_flipped;
 use super::scale::Scale;
 use super::shade::Shade;
-use crate::regions::Regions;
+use crate::regions::{Place, Regions};
 
 /// How far off, in cells, one of the region of a pixel is looked for.
 const NEAR: usize = 2;
@@ -45,7 +45,7 @@ impl Picture {
     }
 
     /// The nearest cell, of a region if there is one.
-    fn cell_near(&self, place: [f64; 2], region: Option<u64>) -> Cell {
+    fn cell_near(&self, place: Place, region: Option<u64>) -> Cell {
         let [nx, ny] = self.counts;
         let exact = [0, 1].map(|k| place[k] * (self.counts[k] - 1) as f64);
         let [i, j] = exact.map(|at| libm::round(at) as usize);

@@ -51,15 +51,15 @@ impl Scale {
                 last > high || reaches(f64::INFINITY),
             ]
         };
+        let scale = |kind: Kind, low: f64, high: f64| Self {
+            kind,
+            low,
+            high,
+            beyond: beyond(low, high),
+        };
         let whole = values.iter().all(|value| libm::round(*value) == *value);
         if whole && last - first < STEPS {
-            let (low, high) = (first - 0.5, last + 0.5);
-            return Some(Self {
-                kind: Kind::Counts,
-                low,
-                high,
-                beyond: beyond(low, high),
-            });
+            return Some(scale(Kind::Counts, first - 0.5, last + 0.5));
         }
         let cut = values.len() / 200;
         let (mut low, mut high) = (values[cut], values[values.len() - 1 - cut]);
@@ -92,12 +92,7 @@ impl Scale {
         if low == high {
             (low, high) = (low - 0.5, high + 0.5);
         }
-        Some(Self {
-            kind: Kind::Linear,
-            low,
-            high,
-            beyond: beyond(low, high),
-        })
+        Some(scale(Kind::Linear, low, high))
     }
 
     pub(super) fn fraction(&self, value: f64) -> f64 {

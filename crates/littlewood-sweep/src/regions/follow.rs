@@ -28,15 +28,36 @@ pub(super) struct Followed {
 }
 
 /// A side of a cell by its first corner and the axis along which it runs.
-type SideName = (Corner, usize);
-
-/// The sides of a cell: below, on the right, above, on the left.
-const fn sides_of([x, y]: Corner) -> [SideName; 4] {
-    [([x, y], 0), ([x + 1, y], 1), ([x, y + 1], 0), ([x, y], 1)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct SideName {
+    corner: Corner,
+    axis: usize,
 }
 
-const fn far_end(([x, y], axis): SideName) -> Corner {
-    if axis == 0 { [x + 1, y] } else { [x, y + 1] }
+impl SideName {
+    /// The sides of a cell: below, on the right, above, on the left.
+    const fn of(cell: Corner) -> [Self; 4] {
+        let [x, y] = cell;
+        [
+            Self::new([x, y], 0),
+            Self::new([x + 1, y], 1),
+            Self::new([x, y + 1], 0),
+            Self::new([x, y], 1),
+        ]
+    }
+
+    const fn new(corner: Corner, axis: usize) -> Self {
+        Self { corner, axis }
+    }
+
+    const fn far_end(self) -> Corner {
+        let [x, y] = self.corner;
+        if self.axis == 0 {
+            [x + 1, y]
+        } else {
+            [x, y + 1]
+        }
+    }
 }
 
 impl Fine {
@@ -119,12 +140,13 @@ impl Fine {
     }
 
     fn differ(&self, side: SideName) -> bool {
-        self.key(side.0) != self.key(far_end(side))
+        self.key(side.corner) != self.key(side.far_end())
     }
 
-    fn beside(&self, ([x, y], axis): SideName) -> impl Iterator<Item = Corner> + use<> {
+    fn beside(&self, side: SideName) -> impl Iterator<Item = Corner> + use<> {
         let cells = self.cells;
-        let other = if axis == 0 {
+        let [x, y] = side.corner;
+        let other = if side.axis == 0 {
             y.checked_sub(1).map(|y| [x, y])
         } else {
             x.checked_sub(1).map(|x| [x, y])
@@ -170,7 +192,7 @@ impl Fine {
         }
         let names = spans
             .into_iter()
-            .map(|(from, to)| (from, usize::from(from[0] == to[0])));
+            .map(|(from, to)| SideName::new(from, usize::from(from[0] == to[0])));
         Ok(Some(names.collect()))
     }
 
@@ -183,11 +205,11 @@ impl Fine {
         let Some(cells) = self.crossed_cells(detail, ask)? else {
             return Ok(None);
         };
-        let names: BTreeSet<SideName> = cells.iter().copied().flat_map(sides_of).collect();
+        let names: BTreeSet<SideName> = cells.iter().copied().flat_map(SideName::of).collect();
         let spans: Vec<Span> = names
             .iter()
             .map(|&name| {
-                let corners = [name.0, far_end(name)];
+                let corners = [name.corner, name.far_end()];
                 Span {
                     ends: corners.map(|corner| self.place(corner)),
                     keys: corners.map(|at| self.key(at)),
@@ -203,7 +225,7 @@ impl Fine {
             .map(|[x, y]| Cell {
                 low: self.place([x, y]),
                 high: self.place([x + 1, y + 1]),
-                sides: sides_of([x, y]).map(|name| sides[&name].clone()),
+                sides: SideName::of([x, y]).map(|name| sides[&name].clone()),
             })
             .collect();
         Ok(Some(Followed {
@@ -237,7 +259,7 @@ impl Fine {
             }
             let mut next = Vec::new();
             for cell in front {
-                let crossed: Vec<SideName> = sides_of(cell)
+                let crossed: Vec<SideName> = SideName::of(cell)
                     .into_iter()
                     .filter(|side| self.differ(*side))
                     .collect();
@@ -263,7 +285,8 @@ impl Fine {
     fn frame(&self, sides: &BTreeMap<SideName, Side>) -> Cell {
         let [right, top] = self.cells;
         let side = |from: Corner, axis: usize| {
-            let on_it = |name: &SideName| name.1 == axis && name.0[1 - axis] == from[1 - axis];
+            let on_it =
+                |name: &SideName| name.axis == axis && name.corner[1 - axis] == from[1 - axis];
             let mut crossings: Vec<Crossing> = sides
                 .iter()
                 .filter(|(name, _)| on_it(name))
