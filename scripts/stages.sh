@@ -100,10 +100,11 @@ stage_page() {
   LITTLEWOOD="$LITTLEWOOD_BIN" npx playwright test "${chosen[@]}" "$@"
 }
 
-about documentation 'the site: its equations, commands, code, links, and its pages in Chromium. Arguments of pytest'
+about documentation 'the tables of DESIGN.md on our own code, and the site: its equations, commands, code, links, and its pages in Chromium. Arguments of pytest'
 stage_documentation() {
   npm_packages
   browser
+  "$python" scripts/own_code.py --check
   docs/build.sh
   export LITTLEWOOD_SITE="$target/site"
   "$python" -P -m pytest -q -p no:cacheprovider docs/site/tests "$@"
