@@ -42,7 +42,7 @@ struct Work {
     limits: fn() -> Limits,
 }
 
-const WORKS: [Work; 12] = [
+const WORKS: [Work; 13] = [
     Work {
         name: "figure-3",
         method: Method::Prepared,
@@ -130,6 +130,13 @@ const WORKS: [Work; 12] = [
         hoop: || sloping(0.001),
         starts: || plane(6),
         limits: Limits::default,
+    },
+    Work {
+        name: "gentle-slope-map",
+        method: Method::Interpolated,
+        hoop: || sloping(0.001),
+        starts: || plane(40),
+        limits: || Limits::until(50.0),
     },
     Work {
         name: "slope",

@@ -591,6 +591,10 @@ impl Solver for FastSolver<'_> {
                 Some(end) => Self::cut(end),
                 None => return left_to_the_simulation(Fallback::Separatrix),
             },
+            Ok(RollEnd::Open) => match self.rolled(place) {
+                Some(end) => Self::cut(end),
+                None => return left_to_the_simulation(Fallback::TooLong),
+            },
             Err(reason) => return left_to_the_simulation(reason),
         };
         PhaseResult {

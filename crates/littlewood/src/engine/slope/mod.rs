@@ -13,7 +13,7 @@ use crate::math::bernstein::{Bernstein, value_and_slope};
 use crate::math::series::{shifted, value};
 use crate::math::trig::{Angle, without_turns};
 use crate::mechanics::RollingLaw;
-use crate::model::{Hoop, SlipDirection};
+use crate::model::{Hoop, MAX_COORDINATE, SlipDirection};
 use crate::modes::rolling::MarginSeries;
 
 use super::fallback::Fallback;
@@ -25,7 +25,8 @@ use table::{
     separatrix_distance,
 };
 
-/// An orbit of more turns is left to the exact solver, which finds the turn of a slip by bisection.
+/// An orbit is followed for so many turns. The slip of a longer one is left to the exact solver,
+/// which finds its turn by bisection.
 const MAX_TURNS: usize = 32;
 
 /// A turning point nearer than this part of the distance on which time is a sum in the square root
@@ -107,6 +108,8 @@ enum LegEnd {
         slip: SlipDirection,
     },
     Turn(TablePoint),
+    /// Neither up to there.
+    Open(TablePoint),
 }
 
 /// Distances on a table.
@@ -308,7 +311,22 @@ impl<'a> Leg<'a> {
             }
             point = Self::next(&point, table);
         }
-        Err(Fallback::TooLong)
+        if self.ends_within_bounds(&point) {
+            Ok(LegEnd::Open(point))
+        } else {
+            Err(Fallback::TooLong)
+        }
+    }
+
+    /// Whether an orbit certainly ends before it leaves the bounds of θ: of one that does not the
+    /// simulation tells nothing, whatever the limit of time. Uphill G falls to zero; downhill the
+    /// normal force vanishes at the top at the latest, where G is D/h.
+    fn ends_within_bounds(&self, point: &TablePoint) -> bool {
+        let law = self.tables.law();
+        let top = law.denominator_of(Angle { sin: 0.0, cos: 1.0 });
+        let most = point.g.abs() + energy_variation(law) + top * law.mass / law.offset;
+        // G gains twice as much over the distance to the bounds.
+        law.mass * law.tilt.abs() * MAX_COORDINATE > most
     }
 
     fn end_on(
@@ -587,6 +605,7 @@ pub(super) fn solve_roll(
             return Err(Fallback::Standstill);
         }
         LegEnd::Slip { point, slip } => return first.slip(&point, slip, before),
+        LegEnd::Open(_) => return Ok(RollEnd::Open),
         LegEnd::Turn(point) => point,
     };
     let back = first.back(turn, back);
@@ -595,11 +614,13 @@ pub(super) fn solve_roll(
             let outward = first.time(&turn, true).ok_or(Fallback::Separatrix)?;
             back.slip(&point, slip, before + outward)
         }
+        LegEnd::Open(_) => Ok(RollEnd::Open),
         LegEnd::Turn(_) => Ok(RollEnd::Never),
     }
 }
 
-/// Where rolling from a state is after a time, before its slip.
+/// Where rolling from a state is after a time, before its slip. None where it is not followed so
+/// long.
 pub(super) fn after(
     tables: &[SlopeTables; 2],
     start: &EngineState,
@@ -616,7 +637,7 @@ pub(super) fn after(
         return None;
     }
     let turn = match first.end().ok()? {
-        LegEnd::Slip { point, .. } => {
+        LegEnd::Slip { point, .. } | LegEnd::Open(point) => {
             return Some(first.orbit_point(&first.after(time, &point, false)?));
         }
         LegEnd::Turn(point) => point,
@@ -626,7 +647,7 @@ pub(super) fn after(
         return Some(first.orbit_point(&first.after(time, &turn, true)?));
     }
     let back = first.back(turn, back);
-    let LegEnd::Slip { point, .. } = back.end().ok()? else {
+    let (LegEnd::Slip { point, .. } | LegEnd::Open(point)) = back.end().ok()? else {
         return None;
     };
     Some(back.orbit_point(&back.after(time - outward, &point, false)?))
@@ -705,7 +726,7 @@ mod tests {
         let first = Orbit::enter(&tables, &start).first;
         let turn = match first.end() {
             Ok(LegEnd::Turn(spot)) => first.theta_at(&spot),
-            Ok(LegEnd::Slip { .. }) | Err(_) => 0.0,
+            Ok(LegEnd::Slip { .. } | LegEnd::Open(_)) | Err(_) => 0.0,
         };
         let farthest = state.theta.abs().max(turn.abs()).max(theta.abs());
         let rounding = 5.0 * f64::EPSILON * (TAU + farthest);
@@ -765,6 +786,40 @@ mod tests {
         }
     }
 
+    /// On a gentle slope most orbits slip after hundreds of turns, and after the limit of time.
+    #[test]
+    fn orbits_of_many_turns_are_followed_to_the_limit_of_time() {
+        let until = 50.0;
+        let mut open = 0;
+        for (slope, k) in [0.001, -0.001]
+            .into_iter()
+            .flat_map(|it| (0..60).map(move |k| (it, k)))
+        {
+            let (hoop, heading) = (figure_2(slope), f64::signum(slope));
+            let state = at(0.1 * f64::from(k), heading * (1.2 + 0.02 * f64::from(k)));
+            let (tables, start) = (tables(&hoop), EngineState::new(state));
+            let Ok(RollEnd::Open) = solve_roll(&tables, &start) else {
+                continue;
+            };
+            open += 1;
+            let rolling = Rolling::new(&hoop, state);
+            let end = rolling.orbit().end().expect("it slips");
+            assert!(end.elapsed > until, "{state:?}");
+            let (found, expected) = (after(&tables, &start, until), rolling.state(until));
+            let OrbitPoint { theta, theta_rate } = found.expect("it is followed");
+            let tolerance = 1e-11 * (1.0 + until);
+            assert!(
+                (heading * theta - expected.theta).abs() < tolerance,
+                "{state:?} {theta}"
+            );
+            assert!(
+                (heading * theta_rate - expected.theta_rate).abs() < tolerance,
+                "{state:?}"
+            );
+        }
+        assert!(open > 30, "{open}");
+    }
+
     /// What is not found is computed for much longer, which no test of answers would notice.
     #[test]
     fn nearly_all_orbits_are_followed() {
@@ -779,7 +834,7 @@ mod tests {
                         slips += 1;
                         found += usize::from(after(&tables, &start, 0.5 * elapsed).is_some());
                     }
-                    Ok(RollEnd::Never) => {}
+                    Ok(RollEnd::Never | RollEnd::Open) => {}
                     // Where it does not roll.
                     Err(Fallback::FrictionLimit) => continue,
                     Err(_) => left += 1,
