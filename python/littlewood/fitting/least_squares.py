@@ -211,7 +211,8 @@ def fit(
     noise = dict.fromkeys(track.channels, Noise(1.0)) | known
     problem = Problem(track, hoop, tuple(names), first, noise, slips_at_start)
     parts, best_of_part = (_PARTS, _BEST_OF_PART) if "restitution" in names else ((1.0,), _BEST)
-    with progress_bar(len(parts) * best_of_part * search + _TURNS + 1, "steps", progress) as show:
+    total = len(parts) * best_of_part * search + _TURNS + 1
+    with progress_bar(total, "steps", progress) as show:
         done = itertools.count(1)
 
         def step() -> None:
@@ -246,7 +247,8 @@ def fit(
             best, sequences = _compared(problem, best, others)
         else:
             sequences = {problem.motion(best.x).sequence: 1.0}
-        step()
+        # Fewer guesses, or turns, may have been enough.
+        show(total)
     return _result(problem, best, sequences, known, loss)
 
 
