@@ -761,7 +761,10 @@ fn what_is_said_of_a_state_is_what_its_motion_does() {
                     "{}",
                     context()
                 );
-                assert!(first.normal >= 0.0, "{}", context());
+                // Next to w = 0, and to P = 0, it has the sign of rounding.
+                let is_rounding = said.contact.abs() <= sizes.contact / libm::cos(hoop.slope())
+                    || motion.outcome().kind() == OutcomeKind::Unresolved;
+                assert!(first.normal >= 0.0 || is_rounding, "{}", context());
             }
             None => {
                 let kind = match motion.outcome() {
@@ -875,7 +878,7 @@ fn start_on_limit(draw: &mut Draw) -> Option<(Hoop, Start)> {
 /// rolling decides: the contact rolls or slides as Newton and Euler say, and does nothing else.
 #[test]
 fn a_start_on_the_limit_of_static_friction_goes_to_the_side_that_comes_next() {
-    let (mut rolling, mut sliding) = (0, 0);
+    let (mut rolling, mut sliding, mut from_rest) = (0, 0, 0);
     let mut wrong = Vec::new();
     for case in 0..4_000 {
         let Some((hoop, start)) = start_on_limit(&mut Draw::of_case(45, 0, case)) else {
@@ -887,10 +890,13 @@ fn a_start_on_the_limit_of_static_friction_goes_to_the_side_that_comes_next() {
             Contact::Rolls.forced(&hoop, state)[2]
         };
         let [early, late] = [0.5 * time, time].map(margin);
-        // The first derivative has to decide on it so soon.
-        if !(late.abs() > 1e-6 && (late / early - 2.0).abs() < 0.1) {
+        // The first derivative has to decide on it so soon, or from rest the second.
+        let order = if start.theta_rate == 0.0 { 4.0 } else { 2.0 };
+        let is_early = late.abs() > if order == 4.0 { 1e-9 } else { 1e-6 };
+        if !(is_early && (late / early - order).abs() < 0.1) {
             continue;
         }
+        from_rest += u32::from(order == 4.0);
         let of = balances(&hoop, &start);
         let [_, _, friction] = solve([of.spin, of.normal, of.friction], of.right);
         let against = SlipDirection::of_sign(-friction);
@@ -938,12 +944,302 @@ fn a_start_on_the_limit_of_static_friction_goes_to_the_side_that_comes_next() {
             ));
         }
     }
-    println!("{rolling} roll, {sliding} slide, {} differ", wrong.len());
+    println!(
+        "{rolling} roll, {sliding} slide, {from_rest} from rest, {} differ",
+        wrong.len()
+    );
     assert!(
         wrong.is_empty(),
         "{} differ: {:#?}",
         wrong.len(),
         &wrong[..wrong.len().min(5)]
     );
-    assert!(rolling > 200 && sliding > 200, "{rolling} {sliding}");
+    assert!(
+        rolling > 200 && sliding > 200 && from_rest > 50,
+        "{rolling} {sliding} {from_rest}"
+    );
+}
+
+/// The number that is so many doubles away.
+fn beside(value: f64, digits: i32) -> f64 {
+    (0..digits.abs()).fold(value, |value, _| {
+        if digits < 0 {
+            value.next_down()
+        } else {
+            value.next_up()
+        }
+    })
+}
+
+/// The phases of a motion up to a time: modes, and directions of slip.
+fn phases_until(hoop: &Hoop, start: Start, time: f64) -> Vec<(Mode, Option<SlipDirection>)> {
+    let motion = hoop.simulate(start, Limits::until(time)).expect("a start");
+    motion
+        .phases()
+        .iter()
+        .map(|it| (it.mode(), it.direction()))
+        .collect()
+}
+
+/// On w = 0, where rounding tells its sign, the change of w decides: the modes are those of a rate
+/// that differs by 1e-6 to the side that comes next, and last.
+#[test]
+fn a_start_on_the_limit_of_contact_goes_to_the_side_that_comes_next() {
+    let (mut contact, mut flying, mut wrong) = (0, 0, Vec::new());
+    for case in 0..12_000 {
+        let mut draw = Draw::of_case(46, 0, case);
+        let (hoop, drawn) = draw.in_contact();
+        let Body::Heavy(body) = hoop.body() else {
+            continue;
+        };
+        let theta = if draw.comes(0.2) {
+            0.0
+        } else {
+            draw.one_of(&[-1.0, 1.0]) * draw.between([0.05, 1.4])
+        };
+        let limit = (libm::cos(hoop.slope()) / (body.h * libm::cos(theta))).sqrt();
+        if !(0.1..30.0).contains(&limit) {
+            continue;
+        }
+        let side = draw.one_of(&[-1.0, 1.0]);
+        // A slip that does not end soon.
+        let slip = drawn.slip.signum() * if drawn.slip == 0.0 { 0.0 } else { 0.5 };
+        let start = |rate: f64| Start::at(theta, side * rate).with_slip(slip);
+        let next = if theta * side < 0.0 { 1e-6 } else { -1e-6 };
+        // At the top w has its least value, on a level plane. Soon after it friction may hold again.
+        let angle = if theta == 0.0 { 3e-7 } else { 1e-4 };
+        let soon = Start::at(angle * side, side * limit).with_slip(slip);
+        let expected = match theta == 0.0 {
+            // With much friction P may vanish as soon.
+            true if hoop.slope() != 0.0 || hoop.mu_s() > 10.0 => continue,
+            true => modes(&hoop, &soon),
+            false => modes(&hoop, &start(limit * (1.0 + next))),
+        };
+        // Another limit may lie in between.
+        let nearer = modes(&hoop, &start(limit * (1.0 + 0.01 * next)));
+        if !expected.are_certain() || theta != 0.0 && nearer.set() != expected.set() {
+            continue;
+        }
+        for digits in [-1, 0, 1] {
+            let start = start(beside(limit, digits));
+            let found = said(&hoop.classify(start).expect("a start"));
+            let until = angle / limit;
+            let is_same = agrees(&expected, &found)
+                && (found.len() != 1 || phases_until(&hoop, start, until) == found)
+                && engines(&hoop).iter().all(|engine| {
+                    let limits = Limits::until(until);
+                    let motion = hoop.simulate(start, limits).expect("a start");
+                    let summary = engine.summary(start, limits).expect("a start");
+                    summary.outcome == motion.outcome().kind()
+                });
+            *if expected.flight == Some(true) {
+                &mut flying
+            } else {
+                &mut contact
+            } += 1;
+            if !is_same {
+                wrong.push(format!(
+                    "{case} {digits}: {expected:?}, but {found:?}, {:?}: {hoop:?} {start:?}",
+                    phases_until(&hoop, start, until)
+                ));
+            }
+        }
+    }
+    println!("{contact} in contact, {flying} fly, {} differ", wrong.len());
+    assert!(
+        wrong.is_empty(),
+        "{} of {contact} and {flying} differ: {:#?}",
+        wrong.len(),
+        &wrong[..wrong.len().min(5)]
+    );
+    assert!(contact > 500 && flying > 500, "{contact} {flying}");
+}
+
+/// A massless hoop on a limit of rolling: the coefficient of friction that it needs, or a rate at
+/// which N = 0.
+fn massless_start_on_limit(draw: &mut Draw) -> Option<(Hoop, Start)> {
+    let offset = draw.one_of(&[1.0, draw.clone().between([0.05, 1.0])]);
+    let slope = draw.one_of(&[0.0, draw.clone().between([-1.2, 1.2])]);
+    let theta = draw.between([-3.0, 3.0]);
+    let (sin, cos) = libm::sincos(theta);
+    let unloads = draw.comes(0.5);
+    let rate = if unloads {
+        let held = 1.0 + offset * cos - libm::tan(slope) * offset * sin;
+        (libm::cos(slope) * held / (offset * (offset + cos))).sqrt()
+    } else {
+        draw.one_of(&[0.0, draw.clone().between([0.05, 2.0])])
+    };
+    let rate = draw.one_of(&[-1.0, 1.0]) * rate;
+    let needed = offset * sin.abs() / (1.0 + offset * cos);
+    let mu = if unloads { 2.0 * needed } else { needed };
+    if !(rate.abs() < 5.0 && (1e-3..5.0).contains(&mu)) {
+        return None;
+    }
+    let digits = draw.below(5) as i32 - 2;
+    let parameters = HoopParameters::thin(0.0)
+        .with_offset(offset)
+        .with_slope(slope);
+    let (mu, rate) = if unloads {
+        (mu, beside(rate, digits))
+    } else {
+        (beside(mu, digits), rate)
+    };
+    let hoop = Hoop::new(parameters.with_friction(mu, mu)).ok()?;
+    Some((hoop, Start::at(theta, rate)))
+}
+
+/// On N = 0 or |F| = μs N a massless hoop rolls if neither is exceeded just after, as Newton and
+/// Euler say of its rolling, and glides otherwise.
+#[test]
+fn a_massless_start_on_a_limit_goes_to_the_side_that_comes_next() {
+    let (mut rolling, mut gliding, mut wrong) = (0, 0, Vec::new());
+    for case in 0..6_000 {
+        let Some((hoop, start)) = massless_start_on_limit(&mut Draw::of_case(47, 0, case)) else {
+            continue;
+        };
+        let time = 1e-3;
+        // The least of N and of μs N − |F|.
+        let margin = |time: f64| {
+            let [theta, rate, _] = Contact::Rolls.after(&hoop, &start, (time, 24));
+            let of = balances(&hoop, &Start::at(theta, rate));
+            let [_, n, f] = solve([of.spin, of.normal, of.friction], of.right);
+            n.min(hoop.mu_s() * n - f.abs())
+        };
+        let [early, late] = [0.5 * time, time].map(margin);
+        let order = if start.theta_rate == 0.0 { 4.0 } else { 2.0 };
+        if !(late.abs() > 1e-9 && (late / early - order).abs() < 0.1) {
+            continue;
+        }
+        let expected = if late > 0.0 {
+            rolling += 1;
+            Mode::Rolling
+        } else {
+            gliding += 1;
+            Mode::Gliding
+        };
+        let found: Vec<_> = phases_until(&hoop, start, time)
+            .into_iter()
+            .map(|it| it.0)
+            .collect();
+        if found != [expected] {
+            wrong.push(format!(
+                "{case}: {found:?}, not {expected:?}: {hoop:?} {start:?}"
+            ));
+        }
+    }
+    println!("{rolling} roll, {gliding} glide, {} differ", wrong.len());
+    assert!(
+        wrong.is_empty(),
+        "{} differ: {:#?}",
+        wrong.len(),
+        &wrong[..wrong.len().min(5)]
+    );
+    assert!(rolling > 300 && gliding > 300, "{rolling} {gliding}");
+}
+
+/// At rest in an equilibrium of a slope |F| = μs N with μs = tan α, whatever comes: rolling and the
+/// slide are both named. A part in 1e9 decides.
+#[test]
+fn a_hoop_balanced_on_a_slope_at_the_limit_of_static_friction_is_ambiguous() {
+    for (inertia, slope) in [(0.0, 0.3), (1.0, 0.3), (0.4, -0.25), (0.0, -0.2)] {
+        let needed = libm::tan(slope).abs();
+        for (factor, expected) in [
+            (1.0, None),
+            (1.0 + 1e-9, Some(true)),
+            (1.0 - 1e-9, Some(false)),
+        ] {
+            let parameters = HoopParameters::thin(0.0)
+                .with_offset(0.8)
+                .with_inertia(inertia)
+                .with_slope(slope);
+            let hoop = Hoop::new(parameters.with_friction(factor * needed, 0.5 * needed));
+            let hoop = hoop.expect("a hoop");
+            for equilibrium in littlewood::theory::PhasePlane::new(&hoop).equilibria() {
+                let start = Start::at(equilibrium.theta, 0.0);
+                let motion = hoop.simulate(start, Limits::until(1.0)).expect("a start");
+                let found = hoop.classify(start).expect("a start");
+                match expected {
+                    Some(rolls) => {
+                        let is_rolling = found.mode == Some(Mode::Rolling);
+                        assert!(is_rolling == rolls && found.mode.is_some(), "{found:?}");
+                    }
+                    None => {
+                        let Outcome::Ambiguous { candidates, .. } = motion.outcome() else {
+                            panic!("{:?}: {hoop:?} {start:?}", motion.outcome())
+                        };
+                        assert!(candidates.rolling && candidates.count() == 2);
+                        assert_eq!(found.candidates, Some(candidates));
+                    }
+                }
+            }
+        }
+    }
+    // The forces of a disc that rolls down are constant, with F/N = tan α Î/(Î + m).
+    for (inertia, slope) in [(0.5, 0.4), (1.3, -0.7)] {
+        let disc = |factor: f64| {
+            let needed = factor * libm::tan(slope).abs() * inertia / (inertia + 2.0);
+            let parameters = HoopParameters::thin(1.0)
+                .with_offset(0.0)
+                .with_inertia(inertia)
+                .with_slope(slope);
+            Hoop::new(parameters.with_friction(needed, 0.5 * needed)).expect("a disc")
+        };
+        let first = |factor: f64| {
+            let found = disc(factor).classify(Start::at(0.3, 0.2)).expect("a start");
+            found.mode
+        };
+        assert_eq!(first(1.0), None);
+        assert_eq!(first(1.0 + 1e-9), Some(Mode::Rolling));
+        assert_eq!(first(1.0 - 1e-9), Some(Mode::Sliding));
+    }
+}
+
+/// At P = 0 a slide depends on the logarithm of P, which is rounding: unresolved where the plane
+/// presses, and ambiguous where the hoop may fly. A part in 1e9 decides.
+#[test]
+fn a_slip_at_the_zero_of_p_is_unresolved() {
+    let mut seen = [0; 2];
+    for case in 0..4_000 {
+        let mut draw = Draw::of_case(48, 0, case);
+        let (mass_ratio, theta) = (draw.between([0.0, 0.5]), draw.between([0.2, 2.6]));
+        let parameters = HoopParameters::thin(mass_ratio).with_inertia(draw.between([0.01, 0.3]));
+        let side = draw.one_of(&[-1.0, 1.0]);
+        let start = Start::at(side * theta, draw.between([-3.0, 3.0])).with_slip(side * 0.3);
+        let of = |mu: f64| Hoop::new(parameters.with_friction(mu, mu)).expect("a hoop");
+        let Body::Heavy(body) = of(0.0).body() else {
+            panic!("heavy")
+        };
+        let (m, h, own) = (body.mass, body.h, body.inertia);
+        let (sin, cos) = libm::sincos(theta);
+        let zero = (own + m * (h * sin) * (h * sin)) / (m * h * sin * (1.0 + h * cos));
+        let w = 1.0 - h * cos * start.theta_rate * start.theta_rate;
+        if !(zero < 5.0 && w.abs() > 1e-3) {
+            continue;
+        }
+        for digits in [-1, 0, 1] {
+            let hoop = of(beside(zero, digits));
+            let kind = hoop
+                .simulate(start, Limits::until(1.0))
+                .expect("a start")
+                .outcome()
+                .kind();
+            let expected = if w > 0.0 {
+                OutcomeKind::Unresolved
+            } else {
+                OutcomeKind::Ambiguous
+            };
+            assert_eq!(kind, expected, "{hoop:?} {start:?}");
+            for engine in engines(&hoop) {
+                let summary = engine.summary(start, Limits::until(1.0)).expect("a start");
+                assert_eq!(summary.outcome, kind, "{hoop:?} {start:?}");
+            }
+            seen[usize::from(w > 0.0)] += 1;
+        }
+        for factor in [1.0 - 1e-9, 1.0 + 1e-9] {
+            let hoop = of(factor * zero);
+            let found = said(&hoop.classify(start).expect("a start"));
+            assert!(agrees(&modes(&hoop, &start), &found), "{hoop:?} {start:?}");
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 300), "{seen:?}");
 }

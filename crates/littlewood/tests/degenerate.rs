@@ -14,6 +14,7 @@ use littlewood::{
     Start, Trajectory,
 };
 use proptest::prelude::*;
+use serde_json::Value;
 
 fn hoop(mass_ratio: f64, offset: f64, inertia: f64, mu_s: f64, mu_k: f64) -> Hoop {
     Hoop::new(
@@ -757,4 +758,108 @@ fn the_centre_is_above_the_particle_at_the_end_of_a_glide() {
         state.x
     );
     assert_eq!(state.theta, PI);
+}
+
+const GLIDES: &str = include_str!("../../../evidence/reference/glides.json");
+
+/// Glides from numbers as small as they come: at the first rest of their slip, at the top or at the
+/// bottom. With an angle of 1e-323 the slip comes to rest in 1e-323, and the hoop rolls on.
+#[test]
+fn glides_from_tiny_numbers_are_those_of_420_digits() {
+    let data: Value = serde_json::from_str(GLIDES).expect("evidence/reference/glides.json");
+    let glides = data["glides"].as_array().expect("a list");
+    let mut wrong = Vec::new();
+    for glide in glides {
+        let number = |value: &Value| {
+            value
+                .as_f64()
+                .or_else(|| value.as_str()?.parse().ok())
+                .expect("a number")
+        };
+        let [offset, mu_s, slope] = [0, 1, 2].map(|i| number(&glide["hoop"][i]));
+        let [theta, rate, slip] = [0, 1, 2].map(|i| number(&glide["start"][i]));
+        let hoop = HoopParameters::thin(0.0)
+            .with_offset(offset)
+            .with_friction(mu_s, mu_s)
+            .with_slope(slope);
+        let hoop = Hoop::new(hoop).expect("a hoop");
+        let start = Start::at(theta, rate).with_slip(slip);
+        let motion = hoop
+            .simulate(start, Limits::until(100.0).with_transitions(2))
+            .expect("a start");
+        let (phase, event) = (&motion.phases()[0], &motion.transitions()[0]);
+        let end = event.before;
+        let cause = match event.cause {
+            Cause::Stick | Cause::Reversal | Cause::Graze => "rest",
+            Cause::ParticleAtTop => "top",
+            Cause::ParticleAtPlane | Cause::ParticleAtBottom => "bottom",
+            _ => "another",
+        };
+        // A part of the number, and of the smallest doubles their last digit.
+        let near = |ours: f64, theirs: f64, size: f64| {
+            (ours - theirs).abs() <= 1e-10 * size.max(theirs.abs()) + f64::from_bits(4)
+        };
+        // Times and angles are as small as the start: the top has no scale.
+        let scale = if end.theta.abs() < 1e-40 { 0.0 } else { 1e-3 };
+        let is_same = phase.direction().map(SlipDirection::sign)
+            == Some(number(&glide["direction"]))
+            && glide["cause"] == cause
+            && near(
+                end.time,
+                number(&glide["time"]),
+                scale + 1e-3 * end.theta.abs(),
+            )
+            && (cause != "rest"
+                || near(end.theta, number(&glide["theta"]), scale)
+                    && (end.theta_rate.abs() > 1e9
+                        || near(end.theta_rate, number(&glide["theta_rate"]), 1.0))
+                    && glide["rolls"]
+                        .as_bool()
+                        .is_none_or(|rolls| rolls == (event.to == Some(Mode::Rolling))));
+        if !is_same {
+            wrong.push(format!("{glide}: {:?} {event:?}", phase.direction()));
+        }
+    }
+    assert!(
+        wrong.is_empty(),
+        "{} of {}: {:#?}",
+        wrong.len(),
+        glides.len(),
+        &wrong[..wrong.len().min(8)]
+    );
+}
+
+/// A particle that comes to the top with no velocity left, while the slip comes to rest: it falls
+/// over the top, with ℓ̂ θ′² = 1.
+#[test]
+fn a_particle_that_just_reaches_the_top_falls_over_it() {
+    let mut seen = 0;
+    for case in 0..2_000 {
+        let mut draw = littlewood_random::Draw::of_case(49, 0, case);
+        let (offset, theta) = (draw.between([0.4, 1.0]), draw.between([0.1, 2.9]));
+        let hoop = hoop(0.0, offset, 0.0, 0.5, 0.4);
+        let half = libm::cos(0.5 * theta);
+        let above_bottom = 2.0 * offset * half * half;
+        let rate = -(2.0 / above_bottom).sqrt();
+        if above_bottom * (rate * rate) != 2.0 {
+            continue;
+        }
+        seen += 1;
+        let start = Start::at(theta, rate).with_slip(rate * ((1.0 - offset) + above_bottom));
+        let motion = run(&hoop, start);
+        let top = motion.transitions()[0];
+        // Rounding may let it roll for an instant.
+        assert!(
+            top.before.theta == 0.0 && top.to.is_some(),
+            "{start:?} {top:?}"
+        );
+        let square = offset * top.before.theta_rate * top.before.theta_rate;
+        assert!((square - 1.0).abs() < 1e-15, "{top:?}");
+        assert!(
+            motion.outcome().state().theta < 0.0,
+            "{:?}",
+            motion.outcome()
+        );
+    }
+    assert!(seen > 100, "{seen}");
 }

@@ -9,7 +9,9 @@ use crate::model::{Heavy, Hoop, Limits, Massless, SlipDirection, State};
 use crate::modes::{
     Entry, Flight, ForceRounding, GlideEntry, PhasePoint, RollingLimit, Stiction, TakeOff,
 };
-use crate::walk::candidates::{ModeInputs, RestInputs, SlipInputs, may_wedge, select_mode};
+use crate::walk::candidates::{
+    ContactMargin, ModeInputs, RestInputs, SlipInputs, may_wedge, select_mode,
+};
 use crate::walk::follow::{NextSlip, next_slip};
 use crate::walk::solver::{SkipBudget, SkippedLinks};
 use crate::walk::{
@@ -243,9 +245,7 @@ impl<'a> FastSolver<'a> {
             angle: Angle { sin, cos },
         } = *place;
         let w = self.contact_margin(place);
-        let Heavy {
-            mass, h, inertia, ..
-        } = self.model.body;
+        let h = self.model.body.h;
         if !self.sign_is_certain(w, 1.0 + h * place.u()) {
             return None;
         }
@@ -254,28 +254,40 @@ impl<'a> FastSolver<'a> {
             None if !self.resolves_forces(w, 1.0 + h * place.u()) => return None,
             None => SlipInputs::AtRest(self.clear_rest(place, w, arrival)?),
         };
+        if !SlipDirection::ALL
+            .into_iter()
+            .all(|direction| self.is_solvable(place, direction))
+        {
+            return None;
+        }
         let painleve = SlipDirection::ALL.map(|direction| {
             let law = self.model.sliding(direction);
             law.p(sin, law.q(1.0, sin, cos))
         });
-        if !self.model.is_solvable {
-            let size = inertia + mass * h * (1.0 + self.hoop.mu_k());
-            let [negative, positive] = painleve;
-            if !(self.sign_is_certain(negative, size)
-                && self.sign_is_certain(positive, size)
-                && negative.min(positive) > 0.0)
-            {
-                return None;
-            }
-        }
         Some(ModeInputs {
-            contact_margin: w,
-            lifts_off: w < 0.0,
+            contact: ContactMargin {
+                value: w,
+                lifts_off: w < 0.0,
+                grazes: false,
+            },
             slip,
             painleve,
             keeps_contact: arrival != Arrival::Start,
-            on_limit: false,
         })
+    }
+
+    /// Whether P > 0 is certain.
+    #[inline(always)]
+    fn is_solvable(&self, place: &EngineState, direction: SlipDirection) -> bool {
+        if self.model.is_solvable {
+            return true;
+        }
+        let Heavy {
+            mass, h, inertia, ..
+        } = self.model.body;
+        let (law, Angle { sin, cos }) = (self.model.sliding(direction), place.angle);
+        let p = law.p(sin, law.q(1.0, sin, cos));
+        self.sign_is_certain(p, inertia + mass * h * (1.0 + self.hoop.mu_k())) && p > 0.0
     }
 
     /// The same at η′ = 0.
@@ -335,6 +347,8 @@ impl<'a> FastSolver<'a> {
         }
         Some(RestInputs {
             stiction,
+            on_limit: false,
+            may_slip: None,
             rolling_forces: forces,
             effective_inertia,
         })
@@ -632,9 +646,13 @@ impl Solver for FastSolver<'_> {
         if is_out_of_range(state.theta) {
             return left_to_the_simulation(Fallback::Far);
         }
-        if entry != Entry::Moving
-            && !self.resolves_forces(self.contact_margin(place), 1.0 + body.h * place.u())
-        {
+        let (w, size) = (self.contact_margin(place), 1.0 + body.h * place.u());
+        let is_clear = if entry == Entry::Moving {
+            self.sign_is_certain(w, size) && self.is_solvable(place, direction)
+        } else {
+            self.resolves_forces(w, size)
+        };
+        if !is_clear {
             return left_to_the_simulation(Fallback::Cancelled);
         }
         if is_conservative && entry == ON_LIMIT {

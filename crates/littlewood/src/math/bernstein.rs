@@ -16,6 +16,10 @@ pub(crate) const MAX_DEGREE: usize = 24;
 /// Maximum number of halvings: 2⁻⁵⁰ of the interval is at the resolution of doubles.
 const MAX_HALVINGS: u32 = 50;
 
+/// Rounding of a coefficient of a margin of rolling beside its terms: 64 roundings of the body, the
+/// angle, four forms and their conversion to an arc.
+const FORM_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// A polynomial of degree at most [`MAX_DEGREE`] on [0, 1] in Bernstein form.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bernstein {
@@ -126,6 +130,13 @@ impl Bernstein {
         self
     }
 
+    /// Sets the first coefficients to zero that are rounding, for a polynomial that is known to be
+    /// positive right of 0.
+    pub(crate) fn without_rounding_at_start(mut self) -> Self {
+        remove_rounding_at_start(&mut self.coefficients[..=self.degree]);
+        self
+    }
+
     /// First crossing from non-negative to negative in [0, 1]. A polynomial that is negative right
     /// of 0 crosses at 0. A root without a sign change is not a crossing.
     pub(crate) fn first_crossing(&self) -> Option<Bracket> {
@@ -220,6 +231,14 @@ fn first_sign<'a>(mut numbers: impl Iterator<Item = &'a f64>) -> f64 {
     numbers
         .find(|number| **number != 0.0)
         .map_or(0.0, |number| number.signum())
+}
+
+/// Sets the first coefficients to zero that are rounding beside the largest.
+pub(crate) fn remove_rounding_at_start(coefficients: &mut [f64]) {
+    let size = |largest: f64, c: &f64| largest.max(c.abs());
+    let rounding = FORM_ROUNDING * coefficients.iter().fold(0.0, size);
+    let leading = coefficients.iter_mut().take_while(|c| c.abs() <= rounding);
+    leading.for_each(|c| *c = 0.0);
 }
 
 /// Value and derivative of the polynomial with these Taylor coefficients.

@@ -119,10 +119,22 @@ pub(crate) fn contact<T: Number>(one: f64, h: T, cos_u: T) -> T {
     -(h * cos_u) + one
 }
 
-/// Whether the body lifts off: w < 0, or w = 0 and decreasing. At w = 0, w′ = h sin θ θ′³; where
-/// that vanishes too, at the top, w″ = h cos θ θ′⁴ > 0 and the body stays in contact.
-pub(crate) fn leaves_plane(w: f64, sin: f64, theta_rate: f64) -> bool {
-    w < 0.0 || (w == 0.0 && sin * theta_rate < 0.0)
+/// Bound of the rounding of w. A term has at most 15 roundings: 9 of θ′², with the unit of time of
+/// a slope, 2 of the cosine, 2 of h, and 2 products.
+pub(crate) fn contact_rounding(h: f64, cos: f64, u: f64) -> f64 {
+    7.5 * f64::EPSILON * h * u * cos.abs()
+}
+
+/// Whether the body lifts off: w < 0, or w = 0, but for rounding, and decreasing. At w = 0, w′ = h
+/// sin θ θ′³; where that vanishes too, at the top, w″ = h cos θ θ′⁴ > 0 and the body stays in
+/// contact.
+pub(crate) fn leaves_plane(w: f64, rounding: f64, lift: f64, theta_rate: f64) -> bool {
+    if w.abs() > rounding {
+        return w < 0.0;
+    }
+    // With `lift` = h sin θ θ′², and h cos θ θ′² = 1, w falls by w′²/2w″ = ½ (h sin θ θ′²)².
+    let is_at_top = lift * lift <= 2.0 * rounding;
+    !is_at_top && lift * theta_rate < 0.0
 }
 
 /// σ η″ at η′ = 0 where rolling violates static friction: −σ D (F + μk σ N)/(m P) with N and F of
@@ -341,6 +353,18 @@ impl RollingLaw {
         )
     }
 
+    /// Whether the forces of rolling stay as they are: of a balanced hoop, and at rest in an
+    /// equilibrium, but for rounding. A term of D θ″ at rest has at most 8 roundings.
+    pub(crate) fn is_steady(&self, theta: f64, theta_rate: f64) -> bool {
+        let Angle { sin, cos } = theta.angle();
+        let pull = self.tilt.abs();
+        let size = |sin: f64, cos: f64| self.offset * sin + pull * (self.mass + self.offset * cos);
+        let by_angle = theta.abs() * size(cos.abs(), sin.abs());
+        let rounding = 0.5 * f64::EPSILON * (8.0 * size(sin.abs(), cos.abs()) + by_angle);
+        let drive = self.driving_moment(1.0, cos, sin);
+        self.offset == 0.0 || (theta_rate * theta_rate == 0.0 && drive.abs() <= rounding)
+    }
+
     /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ cos α − (m θ + ℓ̂ sin θ) sin α (2.8, and 3.2 for
     /// Littlewood's hoop), where x = −θ.
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
@@ -511,6 +535,18 @@ impl SlidingLaw {
     pub fn painleve(&self, theta: f64) -> f64 {
         let Angle { sin, cos } = theta.angle();
         self.p(sin, self.q(1.0, sin, cos))
+    }
+
+    /// Whether P = 0, but for rounding. Next to it the motion depends on the logarithm of P. A term
+    /// of P has at most 16 roundings.
+    pub(crate) fn is_singular(&self, theta: f64) -> bool {
+        let Heavy {
+            mass, h, inertia, ..
+        } = self.body;
+        let Angle { sin, cos } = theta.angle();
+        let arm = h * sin.abs();
+        let terms = inertia + mass * arm * (arm + self.friction.abs() * (1.0 + h * cos));
+        self.painleve(theta).abs() <= 8.0 * f64::EPSILON * terms
     }
 
     /// N = Î m w/P and F = −μk σ N (2.15, 2.18).

@@ -15,7 +15,8 @@ pub(crate) mod solvability;
 pub(crate) use self::closed_form::{RollingType, rolling_energy};
 pub(crate) use self::equations::{
     Accelerations, Clearance, ContactForces, ContactMotion, Loads, RollingLaw, SlidePath,
-    SlidingLaw, contact, energy, energy_at, energy_of, leaves_plane, slip_acceleration_at_rest,
+    SlidingLaw, contact, contact_rounding, energy, energy_at, energy_of, leaves_plane,
+    slip_acceleration_at_rest,
 };
 pub(crate) use self::frictionless::{FrictionlessIntegrals, converge};
 pub(crate) use self::impact::{Contact, ContactVelocities, Impact, ImpactCase, Impulse};

@@ -26,7 +26,7 @@ pub(crate) mod sliding;
 
 pub(crate) use self::flight::{FlightExtent, TakeOff};
 pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
-pub(crate) use self::rolling::{Levels, Stiction};
+pub(crate) use self::rolling::{Levels, MasslessLimit, Stiction, static_friction_holds};
 pub(crate) use self::sample::{Instant, Sample};
 pub(crate) use self::sliding::{
     Entry, ForceRounding, Onset, PhasePoint, SlideBudget, SlideSeries, SlidingEnd, StaticLimit,

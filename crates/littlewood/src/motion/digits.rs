@@ -12,7 +12,7 @@ use crate::model::{
     Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, Setup, SlipDirection, Start,
     State,
 };
-use crate::modes::{Entry, Flight, GlideEntry, Onset, PhasePoint, PhaseSolution, TakeOff};
+use crate::modes::{Entry, Flight, GlideEntry, PhasePoint, PhaseSolution, StaticLimit, TakeOff};
 use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{Arrival, Exact, NextMotion, Outcome, PhaseEnd, PhaseResult, Solver, Transition};
 
@@ -166,9 +166,7 @@ impl Trajectory {
             theta: self.relative.theta,
             rate: self.relative.theta_rate,
         };
-        self.start.slip == 0.0
-            && rolls_or_slides
-            && Onset::on_static_limit(&self.hoop, &place).is_some()
+        self.start.slip == 0.0 && rolls_or_slides && StaticLimit::at(&self.hoop, &place).is_some()
     }
 }
 

@@ -7,13 +7,13 @@
 //! several is an outcome. A motion that arrives in contact stays in contact while it can.
 
 use crate::mechanics::{
-    ContactForces, RollingLaw, Settling, SlidingLaw, contact, leaves_plane,
+    ContactForces, RollingLaw, Settling, SlidingLaw, contact, contact_rounding, leaves_plane,
     slip_acceleration_at_rest,
 };
 use crate::model::{Body, Detail, Dimension, Heavy, Hoop, Massless, Mode, SlipDirection, State};
 use crate::modes::{
-    Entry, GlideEntry, Onset, PhasePoint, RollingLimit, RollingOrbit, StaticLimit, Stiction,
-    TakeOff,
+    Entry, GlideEntry, MasslessLimit, Onset, PhasePoint, RollingLimit, RollingOrbit, StaticLimit,
+    Stiction, TakeOff,
 };
 
 /// The candidate motions at a state, and the quantities that decide between them.
@@ -193,20 +193,25 @@ pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> NextM
     }
 }
 
-/// What selects the mode of a heavy hoop.
-pub(crate) struct ModeInputs {
-    /// w = 1 − h cos θ θ′².
-    pub(crate) contact_margin: f64,
+/// w = 1 − h cos θ θ′², and what follows from it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ContactMargin {
+    pub(crate) value: f64,
     /// Flight is consistent: w < 0, or w = 0 and decreasing.
     pub(crate) lifts_off: bool,
+    /// w = 0, but for rounding.
+    pub(crate) grazes: bool,
+}
+
+/// What selects the mode of a heavy hoop.
+pub(crate) struct ModeInputs {
+    pub(crate) contact: ContactMargin,
     pub(crate) slip: SlipInputs,
-    /// P for σ = −1 and σ = +1.
+    /// P for σ = −1 and σ = +1; zero within rounding.
     pub(crate) painleve: [f64; 2],
     /// Whether the motion is in contact and so keeps it, if rolling allows it. At a start rolling
     /// and flight are then ambiguous.
     pub(crate) keeps_contact: bool,
-    /// Whether rolling would begin with |F| = μs N.
-    pub(crate) on_limit: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -221,6 +226,10 @@ pub(crate) enum SlipInputs {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RestInputs {
     pub(crate) stiction: Stiction,
+    /// Whether rolling would begin with |F| = μs N.
+    pub(crate) on_limit: bool,
+    /// Static friction holds by rounding, or a slip in this direction begins.
+    pub(crate) may_slip: Option<SlipDirection>,
     pub(crate) rolling_forces: ContactForces,
     /// D.
     pub(crate) effective_inertia: f64,
@@ -233,71 +242,106 @@ pub(crate) fn may_wedge(body: &Heavy, sin: f64, u: f64) -> bool {
     (body.h * sin * u + body.pull()) * sin < 0.0
 }
 
-/// Evaluates what selects the mode at a state. Rolling is decided by the same margins from which
-/// its end is computed.
+/// Evaluates what selects the mode at a state.
 fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> ModeInputs {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
-    let sin = libm::sin(theta);
+    let (sin, cos) = libm::sincos(theta);
+    let u = theta_rate * theta_rate;
     let laws =
         SlipDirection::ALL.map(|direction| SlidingLaw::of_body(*body, hoop.mu_k(), direction));
-    let contact_margin = laws[0].contact(theta, theta_rate);
-    let lifts_off = leaves_plane(contact_margin, sin, theta_rate);
-    let mut on_limit = arrival == Arrival::BackOnLimit(None);
-    let slip = SlipDirection::of_sign(state.slip).map_or_else(
-        || {
-            let rolling = RollingLaw::of(hoop);
-            let rolling_forces = rolling.forces(theta, theta_rate);
-            let stiction = match arrival {
-                // Next to w = 0 rounding could tell otherwise.
-                _ if lifts_off && !may_wedge(body, sin, theta_rate * theta_rate) => {
-                    Stiction::NoNormalForce
-                }
-                Arrival::RollingLimit(RollingLimit::Friction(direction)) => Stiction::Slips {
-                    direction,
-                    excess: 0.0,
-                },
-                Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
-                    Stiction::NoNormalForce
-                }
-                Arrival::BackOnLimit(None) => Stiction::Holds,
-                Arrival::BackOnLimit(Some(direction)) => Stiction::Slips {
-                    direction,
-                    excess: rolling_forces.friction.abs() - hoop.mu_s() * rolling_forces.normal,
-                },
-                Arrival::Start | Arrival::InContact | Arrival::GlideAtRest { .. } => {
-                    let place = PhasePoint {
-                        theta,
-                        rate: theta_rate,
-                    };
-                    // On the limit the sign of |F| − μs N is that of rounding.
-                    match Onset::on_static_limit(hoop, &place) {
-                        Some(StaticLimit { holds: true, .. }) => {
-                            on_limit = true;
-                            Stiction::Holds
-                        }
-                        Some(StaticLimit { slip, holds: false }) => Stiction::Slips {
-                            direction: slip,
-                            excess: 0.0,
-                        },
-                        None => RollingOrbit::of(hoop, theta, theta_rate).stiction(),
+    let margin = laws[0].contact(theta, theta_rate);
+    let rounding = contact_rounding(body.h, cos, u);
+    let contact = ContactMargin {
+        value: margin,
+        lifts_off: leaves_plane(margin, rounding, body.h * sin * u, theta_rate),
+        grazes: margin.abs() <= rounding,
+    };
+    let at_rest = || SlipInputs::AtRest(exact_rest(hoop, body, state, arrival, contact));
+    ModeInputs {
+        contact,
+        slip: SlipDirection::of_sign(state.slip).map_or_else(at_rest, SlipInputs::Moving),
+        painleve: laws.map(|law| {
+            if law.is_singular(theta) {
+                0.0
+            } else {
+                law.painleve(theta)
+            }
+        }),
+        keeps_contact: arrival != Arrival::Start,
+    }
+}
+
+/// The same at η′ = 0. Rolling is decided by the same margins from which its end is computed.
+fn exact_rest(
+    hoop: &Hoop,
+    body: &Heavy,
+    state: &State,
+    arrival: Arrival,
+    contact: ContactMargin,
+) -> RestInputs {
+    let place = PhasePoint {
+        theta: state.theta,
+        rate: state.theta_rate,
+    };
+    let rolling = RollingLaw::of(hoop);
+    let forces = rolling.forces(place.theta, place.rate);
+    let of = |stiction: Stiction| RestInputs {
+        stiction,
+        on_limit: false,
+        may_slip: None,
+        rolling_forces: forces,
+        effective_inertia: rolling.denominator(place.theta),
+    };
+    let slips = |direction, excess| of(Stiction::Slips { direction, excess });
+    let on_limit = || RestInputs {
+        on_limit: true,
+        ..of(Stiction::Holds)
+    };
+    match arrival {
+        // Next to w = 0 rounding could tell otherwise.
+        _ if contact.lifts_off
+            && !may_wedge(body, libm::sin(place.theta), place.rate * place.rate) =>
+        {
+            of(Stiction::NoNormalForce)
+        }
+        Arrival::RollingLimit(RollingLimit::Friction(direction)) => slips(direction, 0.0),
+        Arrival::RollingLimit(RollingLimit::NormalForce) | Arrival::LiftOff => {
+            of(Stiction::NoNormalForce)
+        }
+        Arrival::BackOnLimit(None) => on_limit(),
+        Arrival::BackOnLimit(Some(direction)) => slips(
+            direction,
+            forces.friction.abs() - hoop.mu_s() * forces.normal,
+        ),
+        Arrival::Start | Arrival::InContact | Arrival::GlideAtRest { .. } => {
+            let free_fall = contact
+                .grazes
+                .then(|| StaticLimit::in_free_fall(hoop, &place))
+                .flatten();
+            let rolling_forces = if free_fall.is_some() {
+                ContactForces::NONE
+            } else {
+                forces
+            };
+            // On the limit the sign of |F| − μs N is that of rounding.
+            let rest = match free_fall.or_else(|| StaticLimit::at(hoop, &place)) {
+                Some(StaticLimit::Holds) => on_limit(),
+                Some(StaticLimit::Slips { direction, excess }) => slips(direction, excess),
+                Some(StaticLimit::Undecided(direction)) if arrival == Arrival::Start => {
+                    RestInputs {
+                        may_slip: Some(direction),
+                        ..of(Stiction::Holds)
                     }
                 }
+                Some(StaticLimit::Undecided(_)) | None => {
+                    of(RollingOrbit::of(hoop, place.theta, place.rate).stiction())
+                }
             };
-            SlipInputs::AtRest(RestInputs {
-                stiction,
+            RestInputs {
                 rolling_forces,
-                effective_inertia: rolling.denominator(theta),
-            })
-        },
-        SlipInputs::Moving,
-    );
-    ModeInputs {
-        contact_margin,
-        lifts_off,
-        slip,
-        painleve: laws.map(|law| law.painleve(theta)),
-        keeps_contact: arrival != Arrival::Start,
-        on_limit,
+                ..rest
+            }
+        }
     }
 }
 
@@ -320,25 +364,35 @@ pub(crate) fn select_mode(
     inputs: &ModeInputs,
 ) -> NextMotion {
     let ModeInputs {
-        contact_margin,
-        lifts_off,
+        contact: ContactMargin {
+            lifts_off, grazes, ..
+        },
         ref slip,
         painleve,
         keeps_contact,
-        on_limit,
     } = *inputs;
+    let on_limit = matches!(slip, SlipInputs::AtRest(rest) if rest.on_limit);
     let (rolls, slide) = match slip {
         SlipInputs::Moving(direction) => {
-            // At w = 0 the sign of w just after, which is that of flight, decides.
+            // At w = 0 the sign of w just after, which is that of flight, decides. At P = 0 nothing
+            // does, and the slide is unresolved.
             let p = painleve[direction.index()];
-            let is_pressed = if lifts_off { p < 0.0 } else { p > 0.0 };
+            let is_pressed = if lifts_off { p <= 0.0 } else { p >= 0.0 };
             let slide = is_pressed.then_some(Slide {
                 direction: *direction,
                 entry: Entry::Moving,
             });
             (false, slide)
         }
-        SlipInputs::AtRest(rest) if rest.stiction == Stiction::Holds => (true, None),
+        SlipInputs::AtRest(rest) if rest.stiction == Stiction::Holds => {
+            let slide = rest.may_slip.map(|direction| Slide {
+                direction,
+                entry: Entry::FromRest {
+                    slip_acceleration: 0.0,
+                },
+            });
+            (true, slide)
+        }
         // A slide that presses with w < 0 has P < 0, and begins only where rolling holds, too.
         SlipInputs::AtRest(_) if lifts_off => (false, None),
         SlipInputs::AtRest(rest) => (false, slip_onset(hoop, body, state, rest, painleve)),
@@ -352,7 +406,7 @@ pub(crate) fn select_mode(
             entry,
         },
         (false, None, true) => {
-            let take_off = if contact_margin == 0.0 {
+            let take_off = if grazes {
                 TakeOff::Grazing
             } else {
                 TakeOff::Unloaded
@@ -385,8 +439,8 @@ fn undecided(
         rolling,
         sliding_negative: slides(SlipDirection::Negative),
         sliding_positive: slides(SlipDirection::Positive),
-        flight: inputs.lifts_off,
-        ..Candidates::none(forces, inputs.contact_margin, inputs.painleve)
+        flight: inputs.contact.lifts_off,
+        ..Candidates::none(forces, inputs.contact.value, inputs.painleve)
     });
     if candidates.count() == 0 {
         NextMotion::None(candidates)
@@ -479,42 +533,65 @@ pub(crate) fn net_slip_force(
 
 fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> NextMotion {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
-    let sin = libm::sin(theta);
+    let u = theta_rate * theta_rate;
+    let (sin, cos) = libm::sincos(theta);
     let forces = RollingLaw::of(hoop).forces(theta, theta_rate);
+    let contact_margin = contact(1.0, body.offset, cos * u);
     let at_rest = state.slip == 0.0;
     let may_roll = match arrival {
         Arrival::Start | Arrival::InContact => at_rest,
         Arrival::GlideAtRest { presses } => presses,
         Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) | Arrival::LiftOff => false,
     };
-    if may_roll && RollingOrbit::of(hoop, theta, theta_rate).stiction() == Stiction::Holds {
-        return NextMotion::Roll { on_limit: false };
-    }
-    let contact = contact(
-        1.0,
-        body.offset,
-        libm::cos(theta) * (theta_rate * theta_rate),
-    );
-    // At the top a glide requires the acceleration of free fall: ℓ̂ θ′² = 1.
-    if sin != 0.0 || (contact == 0.0 && libm::cos(theta) > 0.0) {
-        let entry = match arrival {
-            Arrival::Start | Arrival::InContact | Arrival::BackOnLimit(_) | Arrival::LiftOff
-                if !at_rest =>
-            {
-                GlideEntry::Moving
+    let limit = if may_roll && arrival == Arrival::Start {
+        let place = PhasePoint {
+            theta,
+            rate: theta_rate,
+        };
+        MasslessLimit::at(hoop, &place)
+    } else {
+        None
+    };
+    match limit {
+        Some(MasslessLimit::Rolls) => return NextMotion::Roll { on_limit: true },
+        Some(MasslessLimit::Undecided) => {
+            return NextMotion::Several(Box::new(Candidates {
+                rolling: true,
+                gliding: true,
+                ..Candidates::none(forces, contact_margin, [0.0; 2])
+            }));
+        }
+        Some(MasslessLimit::Glides { .. }) => {}
+        None => {
+            let stiction = || RollingOrbit::of(hoop, theta, theta_rate).stiction();
+            if may_roll && stiction() == Stiction::Holds {
+                return NextMotion::Roll { on_limit: false };
             }
-            Arrival::RollingLimit(RollingLimit::NormalForce) => GlideEntry::Unloaded,
-            Arrival::RollingLimit(RollingLimit::Friction(_)) => GlideEntry::FromRest {
+        }
+    }
+    // At the top a glide requires the acceleration of free fall: ℓ̂ θ′² = 1.
+    let falls_freely =
+        || cos > 0.0 && contact_margin.abs() <= contact_rounding(body.offset, cos, u);
+    if sin != 0.0 || falls_freely() {
+        let entry = match (arrival, limit) {
+            (
+                Arrival::Start | Arrival::InContact | Arrival::BackOnLimit(_) | Arrival::LiftOff,
+                _,
+            ) if !at_rest => GlideEntry::Moving,
+            (Arrival::RollingLimit(RollingLimit::NormalForce), _)
+            | (_, Some(MasslessLimit::Glides { unloaded: true })) => GlideEntry::Unloaded,
+            (Arrival::RollingLimit(RollingLimit::Friction(_)), _) => GlideEntry::FromRest {
                 presses: Some(true),
             },
-            Arrival::GlideAtRest { presses } => GlideEntry::FromRest {
+            (Arrival::GlideAtRest { presses }, _) => GlideEntry::FromRest {
                 presses: Some(presses),
             },
-            Arrival::Start | Arrival::InContact | Arrival::BackOnLimit(_) | Arrival::LiftOff => {
-                GlideEntry::FromRest { presses: None }
-            }
+            (
+                Arrival::Start | Arrival::InContact | Arrival::BackOnLimit(_) | Arrival::LiftOff,
+                _,
+            ) => GlideEntry::FromRest { presses: None },
         };
         return NextMotion::Glide { body: *body, entry };
     }
-    NextMotion::None(Box::new(Candidates::none(forces, contact, [0.0; 2])))
+    NextMotion::None(Box::new(Candidates::none(forces, contact_margin, [0.0; 2])))
 }

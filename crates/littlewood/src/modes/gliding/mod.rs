@@ -17,7 +17,7 @@ use crate::mechanics::{Accelerations, Clearance, ContactForces, Loads};
 use crate::model::{Hoop, Massless, Mode, SlipDirection, State};
 use crate::modes::{Instant, Sample};
 
-use self::particle::{Particle, ParticleState};
+use self::particle::{Particle, ParticleState, magnification, signed_product};
 pub(crate) use self::rest::GlideEntry;
 use self::rest::Slip;
 
@@ -27,7 +27,11 @@ pub struct Gliding {
     body: Massless,
     start: State,
     direction: SlipDirection,
+    /// Followed from the angle of the start times `magnification`.
     particle: Particle,
+    magnification: f64,
+    /// The magnification of a glide that ends next to the top; 1 of others.
+    scale: f64,
     limit_of_small_inertia: bool,
 }
 
@@ -116,16 +120,28 @@ impl Gliding {
         entry: GlideEntry,
         allowed: Option<f64>,
     ) -> (Self, GlidingEnd) {
-        let particle = Particle::new(body, &start);
+        let magnification = magnification(start.theta);
+        let particle = Particle::new(
+            body,
+            &State {
+                theta: start.theta * magnification,
+                ..start
+            },
+        );
         let slip = if particle.pull == 0.0 {
             Slip::of(&particle, start.slip, entry)
         } else {
             tilted::slip(&particle, start.slip, entry)
         };
         let last = slip.rest.unwrap_or_else(|| particle.end());
-        let is_stopped = allowed.is_some_and(|allowed| allowed < last.elapsed);
+        let scale = if last.is_beside_top() {
+            magnification
+        } else {
+            1.0
+        };
+        let is_stopped = allowed.is_some_and(|allowed| allowed < last.elapsed / scale);
         let place = match allowed {
-            Some(allowed) if is_stopped => particle.place(allowed),
+            Some(allowed) if is_stopped => particle.place(allowed * scale),
             Some(_) | None => last,
         };
         let mut glide = Self {
@@ -133,10 +149,12 @@ impl Gliding {
             start,
             direction: slip.direction,
             particle,
+            magnification,
+            scale,
             limit_of_small_inertia: true,
         };
         glide.limit_of_small_inertia = glide.is_limit_of_small_inertia(mu_k, &place);
-        let state = particle.state(&place);
+        let state = glide.state_at(&place);
         let end = if is_stopped {
             GlidingEnd::TimeLimit(if place.elapsed == 0.0 { start } else { state })
         } else if slip.rest.is_some() {
@@ -174,10 +192,30 @@ impl Gliding {
         // where θ′ = 0.
         let turning = particle.rise;
         let turns = (turning > 0.0 && turning < end.elapsed).then(|| particle.place(turning));
-        [particle.place(0.0), *end]
+        let start = [Some(particle.place(0.0)), turns];
+        start
             .into_iter()
-            .chain(turns)
-            .all(|place| place.arm() >= mu_k * (particle.inside + place.above_bottom))
+            .flatten()
+            .map(|place| (place, self.magnification))
+            .chain([(*end, self.scale)])
+            .all(|(place, scale)| {
+                place.arm() / scale >= mu_k * (particle.inside + place.above_bottom)
+            })
+    }
+
+    /// The state at a place of the particle.
+    fn state_at(&self, place: &ParticleState) -> State {
+        let state = self.particle.state(place);
+        if self.scale == 1.0 {
+            return state;
+        }
+        State {
+            time: self.start.time + place.elapsed / self.scale,
+            // The particle stays on its side.
+            theta: signed_product([state.theta, 1.0 / self.scale]),
+            x: self.start.x + (state.x - self.start.x) / self.scale,
+            ..state
+        }
     }
 
     /// State after the time `elapsed`.
@@ -185,7 +223,7 @@ impl Gliding {
         if elapsed == 0.0 {
             self.start
         } else {
-            self.particle.state(&self.particle.place(elapsed))
+            self.state_at(&self.particle.place(elapsed * self.scale))
         }
     }
 

@@ -14,6 +14,37 @@ use core::f64::consts::TAU;
 
 use crate::model::{Massless, State};
 
+/// Least angle from the top. Nearer to it squares of the angle could underflow.
+const LEAST_ANGLE: f64 = 1e-60;
+
+/// Least depth at which the particle is no longer next to the top, where the angle is less than
+/// 1e-40 or so.
+const DEPTH_BESIDE_TOP: f64 = 1e-80;
+
+/// A product that keeps its sign where it underflows: signs of such products decide.
+pub(super) fn signed_product<const N: usize>(factors: [f64; N]) -> f64 {
+    let product = factors
+        .into_iter()
+        .fold(1.0, |product, factor| product * factor);
+    if product != 0.0 || factors.contains(&0.0) {
+        product
+    } else {
+        f64::from_bits(1).copysign(product)
+    }
+}
+
+/// The power of two by which a glide is followed from a larger angle. Next to the top θ² (1 − ℓ̂
+/// θ′²) is constant, so that angles, heights of the turning points over θ and times have no scale
+/// of their own.
+pub(super) fn magnification(theta: f64) -> f64 {
+    let mut factor = 1.0;
+    // Exact, also of the smallest numbers.
+    while theta != 0.0 && (theta * factor).abs() < LEAST_ANGLE {
+        factor *= 4_294_967_296.0;
+    }
+    factor
+}
+
 /// The motion of the particle from the start of a glide.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Particle {
@@ -47,6 +78,11 @@ pub(super) struct ParticleState {
 }
 
 impl ParticleState {
+    /// Whether the particle is so near to the top that a glide has no scale there.
+    pub(super) fn is_beside_top(&self) -> bool {
+        self.below_top < DEPTH_BESIDE_TOP
+    }
+
     /// |ℓ̂ sin θ|.
     pub(super) fn arm(&self) -> f64 {
         let square = self.below_top * self.above_bottom;
@@ -94,7 +130,7 @@ impl Particle {
             side,
             below_top: 2.0 * l * sin * sin,
             above_bottom,
-            rise: -l * sine * start.theta_rate,
+            rise: signed_product([-l, sine, start.theta_rate]),
             momentum: start.slip - start.theta_rate * (inside + above_bottom),
             mass_centre: start.x - l * sine,
         }
@@ -115,7 +151,7 @@ impl Particle {
 
     /// z² at the top, V0² − 2 a0: negative if the particle turns back before.
     pub(super) fn square_at_top(&self) -> f64 {
-        self.below_top * (self.above_bottom * self.spin().1 - 2.0)
+        signed_product([self.below_top, self.above_bottom * self.spin().1 - 2.0])
     }
 
     /// Time to θ = ±π (3.20), where ȳ = 1 − ℓ̂.
@@ -183,7 +219,12 @@ impl Particle {
     pub(super) fn state(&self, place: &ParticleState) -> State {
         let arm = place.arm();
         let half_angle = libm::atan2(place.below_top.sqrt(), place.above_bottom.sqrt());
-        let rate = self.side * place.fall_rate / arm;
+        let rate = if arm == 0.0 && place.fall_rate == 0.0 {
+            // It comes to the top with no velocity left: z² = 2a there.
+            -self.side / self.offset.sqrt()
+        } else {
+            self.side * place.fall_rate / arm
+        };
         let lever = self.inside + place.above_bottom;
         let lost = self.pull * place.elapsed;
         let momentum = self.momentum - lost;

@@ -11,7 +11,7 @@ use crate::math::bernstein::{Bernstein, first_crossing, value_and_slope};
 use crate::math::bracket::Bracket;
 use crate::model::SlipDirection;
 
-use super::particle::{Particle, ParticleState};
+use super::particle::{Particle, ParticleState, signed_product};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum GlideEntry {
@@ -146,11 +146,11 @@ impl Terms {
             a,
             b,
             lever,
-            rise: particle.rise * particle.rise,
+            rise: signed_product([particle.rise; 2]),
             bottom: particle.square_at_bottom(),
             top: particle.square_at_top(),
-            momentum: particle.momentum * particle.momentum,
-            slip: slip * (slip - 2.0 * rate * lever),
+            momentum: signed_product([particle.momentum; 2]),
+            slip: signed_product([slip, slip - 2.0 * rate * lever]),
             // A glide from the top has ℓ̂ θ′² = 1, hence G = 0.
             pull: if a == 0.0 {
                 0.0
@@ -172,7 +172,7 @@ impl Terms {
         } = *self;
         let slope = (b - a) * slip - 2.0 * lever * pull;
         [
-            a * b * slip,
+            signed_product([a, b, slip]),
             slope * down,
             4.0 * lever - self.rise - self.momentum,
             -2.0 * down,
@@ -189,7 +189,7 @@ impl Terms {
         let (a, b) = self.turn();
         let (momentum, lever) = (self.momentum, self.inside + b);
         [
-            momentum * a * b,
+            signed_product([momentum, a, b]),
             momentum * (b - a) - 2.0 * lever * lever,
             4.0 * lever - momentum,
             -2.0,
@@ -275,6 +275,8 @@ impl Terms {
         let fall_rate = down * square.max(0.0).sqrt();
         let elapsed = if from_turn {
             particle.rise + fall_rate
+        } else if passed == 0.0 {
+            0.0
         } else {
             2.0 * down * passed / (fall_rate - particle.rise)
         };

@@ -7,8 +7,11 @@
 use crate::math::series::shifted;
 use crate::model::SlipDirection;
 
-use super::particle::{Particle, ParticleState};
+use super::particle::{Particle, ParticleState, signed_product};
 use super::rest::{Along, GlideEntry, Slip, first_rest};
+
+/// Slips less than this have squares that underflow.
+const LEAST_RESOLVED_SLIP: f64 = 1e-150;
 
 /// A polynomial of degree at most six, lowest power first.
 type Polynomial = [f64; 7];
@@ -63,13 +66,15 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
     let mut q = condition(particle, &start, particle.momentum, 1.0);
     // The first coefficients, without cancellation.
     let product = if inside == 0.0 { a } else { a * b };
-    q[0] = if begun.is_some() {
-        product * slip * (slip - 2.0 * rate * lever)
-    } else {
+    let is_unresolved = begun.is_none() || slip.abs() < LEAST_RESOLVED_SLIP;
+    q[0] = if is_unresolved {
         0.0
+    } else {
+        signed_product([product, slip, slip - 2.0 * rate * lever])
     };
-    if begun.is_none() {
-        q[1] = 2.0 * rise * pull * if inside == 0.0 { 1.0 } else { lever };
+    if is_unresolved {
+        let levers = if inside == 0.0 { 1.0 } else { lever };
+        q[1] = signed_product([2.0 * rise, pull, levers]);
     }
     let direction = begun.unwrap_or_else(|| {
         let next = q.iter().find(|c| **c != 0.0).map_or(0.0, |c| c.signum());
@@ -85,6 +90,13 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
             SlipDirection::Positive
         }
     });
+    if slip != 0.0 && is_unresolved && direction.sign() * side * pull < 0.0 {
+        // η″ against so small a slip ends it at once.
+        return Slip {
+            direction,
+            rest: Some(particle.place(0.0)),
+        };
+    }
     let end = particle.end();
     let mut cuts = vec![0.0];
     cuts.extend(
@@ -98,7 +110,7 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
         let (from, to) = (piece[0], piece[1]);
         let middle = 0.5 * (from + to);
         let drift = particle.momentum - tilt * middle;
-        if drift * side * (middle - rise) >= 0.0 {
+        if signed_product([drift, side, middle - rise]) >= 0.0 {
             return None;
         }
         let is_last = to == end.elapsed;

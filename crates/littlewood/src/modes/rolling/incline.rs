@@ -10,6 +10,7 @@
 use core::f64::consts::{FRAC_PI_8, PI, TAU};
 use core::ops::Range;
 
+use crate::math::bernstein::remove_rounding_at_start;
 use crate::math::bracket::{Bracket, RootStep, last_of};
 use crate::math::panel::{ROUNDING, TAIL_TOLERANCE, integral};
 use crate::math::series::{Series, crossing};
@@ -638,6 +639,9 @@ impl Leg {
                     .min_by(|a, b| a.0[0].abs().total_cmp(&b.0[0].abs()));
                 if let Some((margin, _)) = nearest {
                     margin[0] = 0.0;
+                }
+                for (margin, _) in &mut margins {
+                    remove_rounding_at_start(margin);
                 }
             }
             let crossings = margins

@@ -12,6 +12,7 @@ mod margin_series;
 mod orbit;
 mod recurrence;
 mod rim;
+mod start_limit;
 
 pub use boundary::{RollingEnd, RollingLimit};
 pub(crate) use boundary::{Stiction, margin_forms};
@@ -21,6 +22,7 @@ pub(crate) use half_angle::{HalfAngleOrbit, OrbitEnergy, OrbitPass, ReducedAngle
 pub(crate) use margin_series::MarginSeries;
 pub use orbit::RollingOrbit;
 pub use recurrence::{Recurrence, RecurrenceKind};
+pub(crate) use start_limit::{MasslessLimit, static_friction_holds};
 
 use crate::mechanics::{Accelerations, Clearance, RollingLaw};
 use crate::model::{Hoop, Mode, State};

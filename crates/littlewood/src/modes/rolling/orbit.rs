@@ -472,6 +472,11 @@ impl Elliptic {
                     } else {
                         margin
                     };
+                    let margin = if from_limit && passed == 0 {
+                        margin.without_rounding_at_start()
+                    } else {
+                        margin
+                    };
                     let bracket = margin.first_crossing()?;
                     Some((bracket.refine(|x| margin.value_and_slope(x)), limit))
                 });

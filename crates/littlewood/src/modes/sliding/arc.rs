@@ -254,7 +254,11 @@ impl Sliding {
         budget: SlideBudget,
     ) -> (Self, SlidingEnd) {
         let mut slide = Self::new(law, start, direction);
-        let end = slide.integrate(entry, budget, LeapSearch::default());
+        let end = if law.is_singular(slide.start.theta) {
+            slide.unresolved_start()
+        } else {
+            slide.integrate(entry, budget, LeapSearch::default())
+        };
         (slide, end)
     }
 
@@ -274,22 +278,32 @@ impl Sliding {
         }
     }
 
+    fn first_point(&self) -> SlidePoint {
+        SlidePoint {
+            elapsed: 0.0,
+            turned: -0.0,
+            place: PhasePoint {
+                theta: self.start.theta,
+                rate: self.start.theta_rate,
+            },
+            slip: self.start.slip,
+        }
+    }
+
+    /// The end of a slide that starts at P = 0.
+    fn unresolved_start(&mut self) -> SlidingEnd {
+        let here = self.first_point();
+        self.steps.push(TaylorStep::straight(&here, &here, 0.0));
+        SlidingEnd::Unresolved(self.state_from(here))
+    }
+
     fn integrate(
         &mut self,
         entry: Entry,
         budget: SlideBudget,
         mut search: LeapSearch,
     ) -> SlidingEnd {
-        let place = PhasePoint {
-            theta: self.start.theta,
-            rate: self.start.theta_rate,
-        };
-        let mut here = SlidePoint {
-            elapsed: 0.0,
-            turned: -0.0,
-            place,
-            slip: self.start.slip,
-        };
+        let mut here = self.first_point();
         loop {
             here = match self.advance(here, entry, budget, &mut search) {
                 ControlFlow::Continue(next) => next,
@@ -332,6 +346,11 @@ impl Sliding {
     /// rounding, are set to zero: they must not give an event there.
     fn expansion(&self, here: &SlidePoint, entry: Entry) -> Expansion {
         let mut series = SlideSeries::new(&self.law, here.place, here.slip);
+        if self.steps.is_empty() {
+            // A slide begins where the plane presses: at w = 0, but for rounding, just after.
+            let vanishing = series.contact.iter_mut().take_while(|c| **c <= 0.0);
+            vanishing.for_each(|c| *c = 0.0);
+        }
         let Entry::FromRest { slip_acceleration } = entry else {
             return Expansion {
                 series,

@@ -12,6 +12,7 @@ use crate::mechanics::{ContactForces, RollingLaw, SlidingLaw};
 use crate::model::{Body, Heavy, Hoop, SlipDirection};
 
 use super::series::{PhasePoint, SlideSeries};
+use crate::modes::static_friction_holds;
 
 /// The first derivative of η′ that does not vanish.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,11 +57,33 @@ impl Onset {
         Some(Self { order, direction })
     }
 
-    /// Where |F| = μs N > 0 but for rounding: of a slide with the friction μs N against which it
-    /// would begin. Its η″ vanishes, and the next derivatives of η′ have the signs of those of |F|
-    /// − μs N along the rolling, since the two motions agree up to them. None elsewhere, and if
-    /// rounding decides all derivatives.
-    pub(crate) fn on_static_limit(hoop: &Hoop, place: &PhasePoint) -> Option<StaticLimit> {
+    /// Of a hoop with so little friction that F and μs N are rounding.
+    fn without_friction(body: Heavy, place: PhasePoint) -> Option<Self> {
+        Self::of(
+            &SlidingLaw::of_body(body, 0.0, SlipDirection::Positive),
+            place,
+        )
+    }
+}
+
+/// What follows at a start where |F| = μs N, but for rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum StaticLimit {
+    /// |F| < μs N just after.
+    Holds,
+    /// The contact slips. The excess of |F| over μs N is zero, unless N is rounding, too.
+    Slips {
+        direction: SlipDirection,
+        excess: f64,
+    },
+    /// |F| − μs N stays as it is: static friction holds, or the contact slips in this direction.
+    Undecided(SlipDirection),
+}
+
+impl StaticLimit {
+    /// By the first derivative of |F| − μs N along the rolling that does not vanish. None off the
+    /// limit, and if rounding decides all derivatives of a hoop whose forces change.
+    pub(crate) fn at(hoop: &Hoop, place: &PhasePoint) -> Option<Self> {
         let (place, mu) = (*place, hoop.mu_s());
         let Body::Heavy(body) = hoop.body() else {
             return None;
@@ -71,11 +94,16 @@ impl Onset {
         let rolling = RollingLaw::of(hoop);
         let forces = rolling.forces(place.theta, place.rate);
         let rounding = ForceRounding::new(&rolling, &place, Angle::of(place.theta));
-        if rounding.clears(&forces, mu)
-            || forces.friction.abs() <= rounding.friction
-            || forces.normal <= rounding.normal
-        {
+        if rounding.clears(&forces, mu) {
             return None;
+        }
+        if forces.friction.abs() <= rounding.friction {
+            let is_negligible = forces.normal > 0.0 && mu * forces.normal <= rounding.friction;
+            let onset = is_negligible.then(|| Onset::without_friction(body, place));
+            return onset.flatten().map(|onset| Self::Slips {
+                direction: onset.direction,
+                excess: 0.0,
+            });
         }
         let slip = SlipDirection::of_sign(-forces.friction)?;
         let law = SlidingLaw::of_body(body, mu, slip);
@@ -83,22 +111,64 @@ impl Onset {
         if law.painleve(place.theta) <= 0.0 {
             return None;
         }
-        let series = SlideSeries::new(&law, place, 0.0).slip;
-        let onset = Self::beyond_acceleration(&law, place, &series)?;
-        Some(StaticLimit {
-            slip,
-            holds: onset.direction != slip,
+        match static_friction_holds(hoop, &rolling, &place, slip) {
+            Some(true) => Some(Self::Holds),
+            Some(false) => Some(Self::Slips {
+                direction: slip,
+                excess: if forces.normal > rounding.normal {
+                    0.0
+                } else {
+                    (forces.friction.abs() - mu * forces.normal).max(0.0)
+                },
+            }),
+            None => rolling
+                .is_steady(place.theta, place.rate)
+                .then_some(Self::Undecided(slip)),
+        }
+    }
+
+    /// Where N = F = 0, but for rounding: w = 0, and h sin θ u + tan α = 0, as at the top at the rate
+    /// of the lift-off. There the hoop moves as without a plane, and the rates at which w and h sin θ
+    /// u change take their places.
+    pub(crate) fn in_free_fall(hoop: &Hoop, place: &PhasePoint) -> Option<Self> {
+        let PhasePoint { theta, rate } = *place;
+        let Body::Heavy(body) = hoop.body() else {
+            return None;
+        };
+        let Heavy {
+            mass, h, inertia, ..
+        } = body;
+        let Angle { sin, cos } = Angle::of(theta);
+        let u = rate * rate;
+        let (pull, force) = (body.pull(), h * sin * u);
+        // A term has at most 15 roundings, as that of w; the angle is rounded, too.
+        let rounding = 15.0 * (force.abs() + pull.abs()) + theta.abs();
+        if (force + pull).abs() > 0.5 * f64::EPSILON * rounding {
+            return None;
+        }
+        let (lifts, drifts) = if pull == 0.0 {
+            (0.0, h * cos * u * rate)
+        } else {
+            (force * rate, h * cos * u * rate)
+        };
+        // A, B and C times m Î.
+        let lever = 1.0 + h * cos;
+        let (a, b, c) = (
+            inertia + mass * lever * lever,
+            mass * h * sin * lever,
+            inertia + mass * (h * sin) * (h * sin),
+        );
+        let (normal, friction) = (a * lifts - b * drifts, c * drifts - b * lifts);
+        let holds = normal > 0.0 && friction.abs() <= hoop.mu_s() * normal;
+        Some(if holds {
+            Self::Holds
+        } else {
+            Self::Slips {
+                direction: SlipDirection::of_sign(-friction)?,
+                excess: 0.0,
+            }
         })
     }
-}
-
-/// What follows where |F| = μs N at a start.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct StaticLimit {
-    /// The direction of slip, against F.
-    pub(crate) slip: SlipDirection,
-    /// Whether |F| < μs N just after.
-    pub(crate) holds: bool,
 }
 
 /// Bounds on the rounding of N and F of rolling.
