@@ -293,7 +293,7 @@ class Classification:
         1 − h cos θ θ′²: negative where the body leaves the plane.
     rolling_type : str or None
         "I", "II" or "III" for Littlewood's hoop in R (section 3a).
-    rolling_end : RollingEnd or None
+    rolling_end : littlewood.motion.RollingEnd or None
         How rolling ends, if it does.
     reverse_chatter : float or None
         Ratio of successive bounces, if bounces can grow out of rolling: on a slope, with
