@@ -61,9 +61,10 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 /// [`Hoop::simulate`]. Times, states and energies may differ from it in their last digits, and so
 /// between an engine for many starts and one for few.
 ///
-/// This rests on an assumption about rounding. Each decision is the sign of a computed number. The
-/// engine simulates a motion whenever such a number is closer to zero than a bound on its rounding,
-/// and these bounds are derived from the sizes of its terms, but for two: a slide that passes
+/// This rests on an assumption about rounding. Each decision is the sign of a computed number. Where
+/// such a number is closer to zero than a bound on its rounding, the rules of the simulation decide
+/// if the state is that of the simulation to the bit; otherwise the motion is simulated up to there.
+/// These bounds are derived from the sizes of the terms, but for two: a slide that passes
 /// within 10⁻⁹ of the end of contact or slip, relative to the terms, is solved by the simulation;
 /// and after landings the numbers that decide an impact are taken to be larger than the accumulated
 /// error of the state, which is at most 10⁻⁴. The tests compare hundreds of thousands of motions
