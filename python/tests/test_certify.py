@@ -510,7 +510,7 @@ def test_a_start_with_rolling_and_flight_is_ambiguous() -> None:
 
 @pytest.mark.parametrize("mu_k", [0.3, 2.29])
 def test_rolling_goes_on_where_flight_is_consistent_and_gives_way_to_it(mu_k: float) -> None:
-    """With μk = μs, too, where the acceleration of slip vanishes and the next derivative decides."""
+    """With μk = μs, too, where η″ vanishes and the next derivative decides."""
     case = Case((*WEDGED, mu_k), (0.73, -0.89, 0.0, 0.0), 1.0, slope=-1.1)
     certificate = certify(case)
     assert certificate["initial"]["mode"] == "rolling"

@@ -509,8 +509,8 @@ fn slip_onset(
         })
 }
 
-/// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`; at least
-/// `excess` for N > 0. With a large μs the term μs N amplifies the cancellation in N, so F is used
+/// −σF − μk N of a slip in the direction σ that begins with −σF − μs N = `excess`, whose sign it
+/// has for N > 0. With a large μs the term μs N amplifies the cancellation in N, so F is used
 /// instead; on the limit −σF = μs N.
 pub(crate) fn net_slip_force(
     hoop: &Hoop,
@@ -526,8 +526,8 @@ pub(crate) fn net_slip_force(
     let force = against - mu_k * forces.normal;
     match (excess == 0.0, forces.normal > 0.0) {
         (true, _) => (mu_s - mu_k) / mu_s * against,
-        (false, true) => force.max(excess),
-        (false, false) => force,
+        (false, true) if force <= 0.0 => excess,
+        (false, _) => force,
     }
 }
 

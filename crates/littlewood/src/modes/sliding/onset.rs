@@ -8,7 +8,7 @@
 
 use crate::math::series::{DEGREE, Series, convolve};
 use crate::math::trig::{Angle, above_bottom};
-use crate::mechanics::{ContactForces, RollingLaw, SlidingLaw};
+use crate::mechanics::{ContactForces, Loads, RollingLaw, SlidingLaw};
 use crate::model::{Body, Heavy, Hoop, SlipDirection};
 
 use super::series::{PhasePoint, SlideSeries};
@@ -178,31 +178,42 @@ pub(crate) struct ForceRounding {
 }
 
 impl ForceRounding {
-    /// A term has at most 28 roundings: 18 of its products and sums, 7 of m, h and Î, 2 of the
-    /// coefficient and 1 of the slope. It has at most three sines and cosines, and divides by D
-    /// once.
+    /// A term has at most 34 roundings: 18 of its products and sums, 6 of at most three sines and
+    /// cosines, 7 of m, h and Î, 2 of the coefficient and 1 of the slope. The angle is rounded, too,
+    /// which changes the forces as a rotation does.
     #[inline]
     pub(crate) fn new(law: &RollingLaw, place: &PhasePoint, angle: Angle) -> Self {
         let Angle { sin, cos } = angle;
         let (d, u) = (law.denominator_of(angle), place.rate * place.rate);
         let (m, l, pull) = (law.mass, law.offset, law.tilt.abs());
         let beyond_mass = law.inertia_excess[1].abs() + l * above_bottom(angle);
-        let sum = |sin: f64, cos: f64| {
-            let drive = l * sin * (1.0 + u) + (m + l * cos) * pull;
-            let arm = l * sin;
-            let level = arm * (u * beyond_mass + m + l * cos);
-            [
-                m + l * (sin * drive / d + cos * u),
-                (level + (law.mass_inertia + arm * arm) * pull) / d,
-            ]
+        let drive = l * sin.abs() * (1.0 + u) + (m + l * cos.abs()) * pull;
+        let arm = l * sin.abs();
+        let level = arm * (u * beyond_mass + m + l * cos.abs());
+        let terms = ContactForces {
+            normal: m + l * (sin.abs() * drive / d + cos.abs() * u),
+            friction: (level + (law.mass_inertia + arm * arm) * pull) / d,
         };
-        let terms = sum(sin.abs(), cos.abs());
-        let turned = sum(sin.abs() + cos.abs(), sin.abs() + cos.abs());
-        let by_angle = 3.0 + 2.0 * l * sin.abs() / d;
-        let [normal, friction] = core::array::from_fn(|i| {
-            0.5 * f64::EPSILON * (28.0 * terms[i] + place.theta.abs() * by_angle * turned[i])
+        let forces_of = |angle: Angle| {
+            let loads = Loads { gravity: 1.0, u };
+            law.forces_at(angle, loads, law.denominator_of(angle))
+        };
+        let forces = forces_of(angle);
+        let turn = 0.5 * f64::EPSILON * place.theta.abs();
+        let turned = [turn, -turn].map(|turn| {
+            forces_of(Angle {
+                sin: sin + turn * cos,
+                cos: cos - turn * sin,
+            })
         });
-        Self { normal, friction }
+        let bound = |terms: f64, of: fn(&ContactForces) -> f64| {
+            let changes = turned.iter().map(|other| (of(other) - of(&forces)).abs());
+            changes.fold(0.0, f64::max) + 17.0 * f64::EPSILON * terms
+        };
+        Self {
+            normal: bound(terms.normal, |forces| forces.normal),
+            friction: bound(terms.friction, |forces| forces.friction),
+        }
     }
 
     /// Whether |F| differs from μs N by more than rounding.
