@@ -640,7 +640,15 @@ fn goes_on(motion: &Trajectory, index: usize, stop: &Sample) -> Option<bool> {
     let is_unresolved = |it: &Trajectory, index: usize| {
         it.outcome().kind() == OutcomeKind::Unresolved && index + 1 == it.phases().len()
     };
+    // The event is as near as rounding moves it, of which a force of rolling has as many as
+    // `ForceRounding` counts, and the effect is that of one: again, the motion may be on the limit.
+    let is_at_event = |leg: &Leg| {
+        leg.end
+            .is_some_and(|end| (end.time - state.time).abs() <= 34.0 * effect.apart[0])
+    };
     let is_open = effect.decides
+        || is_at_event(&ours)
+        || is_at_event(&theirs)
         || grazes(&ours) != grazes(&theirs)
         || is_unresolved(motion, index)
         || is_unresolved(&again, 0);
