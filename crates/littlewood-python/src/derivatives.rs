@@ -38,7 +38,7 @@ impl Collected {
         }
     }
 
-    /// A row: the derivatives of the columns, or the name of the reason why there are none.
+    /// A row: the derivatives of the columns, or why they do not exist.
     fn push<const N: usize>(&mut self, derivatives: Result<[f64; N], &'static str>) {
         for (place, (_, values)) in self.columns.iter_mut().enumerate() {
             let number = derivatives

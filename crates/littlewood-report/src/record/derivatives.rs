@@ -1,5 +1,5 @@
 //! Derivatives, dimensionless: an object for each quantity, with the derivatives of the state or
-//! with the reason why there are none.
+//! why they do not exist.
 
 use littlewood::State;
 use littlewood::derivatives::{Derivative, Derivatives, EventDerivative, OutcomeDerivative};

@@ -217,7 +217,7 @@ fn unless_gone(result: io::Result<()>, path: &Path) -> Result<(), StoreError> {
     }
 }
 
-/// The properties of the whole file: those of a part, with the counts of the run in place of its own.
+/// The metadata of the whole file: that of a part, with the counts of the whole run.
 fn properties(part: &FileMetaData, tally: Tally) -> WriterProperties {
     let entries = part.key_value_metadata().into_iter().flatten();
     let mut entries: Vec<KeyValue> = entries

@@ -247,7 +247,7 @@ impl Hoop {
         Self::new(HoopParameters::thin(0.0).with_friction(mu_s, mu_k))
     }
 
-    /// A thin hoop with a particle of its own mass on the rim: m1 = m2, ℓ = R, I_zz = m1 R² (Figures 2
+    /// A thin hoop with a particle of equal mass on the rim: m1 = m2, ℓ = R, I_zz = m1 R² (Figures 2
     /// and 3).
     ///
     /// # Errors

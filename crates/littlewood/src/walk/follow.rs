@@ -130,7 +130,7 @@ enum Rebound {
     Continues { event: Event, impact: Impact },
     /// The state after it is not representable, so the motion ends before it.
     Unresolved(Event),
-    /// There is none: without a coefficient of restitution, and where no slip jams.
+    /// No rebound: the hoop has no coefficient of restitution, or does not slip where P ≤ 0.
     None,
 }
 
