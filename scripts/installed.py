@@ -1,4 +1,7 @@
-"""What everyone does first with an installed package: it has the motion of Figure 3, its types, its licences, and the program."""
+"""What everyone does first with an installed package.
+
+It has the motion of Figure 3, its types, its licences, and the program.
+"""
 
 import json
 import math

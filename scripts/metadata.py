@@ -1,4 +1,7 @@
-"""Where metadata has to stand a second time, it is that of Cargo.toml: CITATION.cff, the Python package, the page."""
+"""Where metadata has to stand a second time, it is that of Cargo.toml.
+
+In CITATION.cff, the Python package and the page.
+"""
 
 import json
 import sys

@@ -2,8 +2,8 @@
 
 python3 scripts/own_code.py              writes the tables anew
 python3 scripts/own_code.py --check      fails where a number of them is wrong by more than a tenth
-python3 scripts/own_code.py --libraries  counts anew, over a network, what each library would add; copy
-                                         the numbers into PARTS below
+python3 scripts/own_code.py --libraries  counts anew, over a network, what each library would add;
+                                         copy the numbers into PARTS below
 """
 
 import re
@@ -17,11 +17,13 @@ DESIGN = root / "DESIGN.md"
 START, END = "<!-- own code -->\n", "<!-- /own code -->\n"
 TOLERANCE = 0.1
 
-# What we wrote although a library has it: part, files, libraries with the packages that each adds, the reason.
+# What we wrote although a library has it: part, files, libraries with the packages that each adds,
+# the reason.
 PARTS = [
     (
         "frames, ticks, keys, labels, hatches, perspective",
-        "crates/littlewood-draw/src/*.rs -font.rs -letters.rs -svg.rs -pdf.rs -raster.rs -csv.rs -caption.rs",
+        "crates/littlewood-draw/src/*.rs -font.rs -letters.rs -svg.rs -pdf.rs -raster.rs -csv.rs "
+        "-caption.rs",
         {"plotters": 23},
         "see *No plotting library*",
     ),

@@ -1,4 +1,7 @@
-"""Prints the licences of all crates that the program for a target (the argument) is made of, each with its notices."""
+"""Prints the licences of all crates that the program for a target is made of.
+
+The target is the argument; each has its notices.
+"""
 
 import json
 import subprocess
@@ -21,7 +24,10 @@ def metadata(target: str) -> dict:
 
 
 def linked(graph: dict, root: str) -> set[str]:
-    """The packages that a program is linked with: neither those that build it nor those that test it."""
+    """The packages that a program is linked with.
+
+    Neither those that build it nor those that test it.
+    """
     nodes = {node["id"]: node for node in graph["resolve"]["nodes"]}
     found: set[str] = set()
     waiting = [next(package["id"] for package in graph["packages"] if package["name"] == root)]

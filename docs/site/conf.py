@@ -123,7 +123,10 @@ _OTHERS = {
     "xarray": "https://docs.xarray.dev/en/stable",
     "matplotlib": "https://matplotlib.org/stable",
 }
-_BUILT_IN = r"(bool|bytes|complex|dict|float|int|list|object|set|str|tuple|None|[A-Z]\w*Error|collections\.abc\.\w+|contextlib\.\w+|pathlib\.Path|os\.PathLike)"
+_BUILT_IN = (
+    r"(bool|bytes|complex|dict|float|int|list|object|set|str|tuple|None|[A-Z]\w*Error"
+    r"|collections\.abc\.\w+|contextlib\.\w+|pathlib\.Path|os\.PathLike)"
+)
 nitpick_ignore_regex = [(r"py:\w+", rf"({'|'.join(_OTHERS)})\..*|{_BUILT_IN}")]
 if os.environ.get("LITTLEWOOD_INTERSPHINX"):
     extensions.append("sphinx.ext.intersphinx")

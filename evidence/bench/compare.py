@@ -170,7 +170,10 @@ def significant(number):
 
 
 def row(section, tool, answers, base, per=1, error="", note=""):
-    """One line: the median, the range over the rounds and the ratio of the median to ours, all for one of `per`."""
+    """One line: the median, the range over the rounds, and the ratio to ours.
+
+    All are for one of `per`.
+    """
     seconds = [answer["seconds"] / per for answer in answers]
     median = statistics.median(seconds)
     spread = (
@@ -218,7 +221,10 @@ def map_lines(table):
             counts = last.get("counts") or [outcomes.count(code) for code in "0129"]
             per = sum(counts)
             rate = per / statistics.median(answer["seconds"] for answer in answers)
-            note = f"{rate:,.0f} starts/s and core; {counts[0]:,} at once, {counts[1]:,} later, {counts[2]:,} in contact"
+            note = (
+                f"{rate:,.0f} starts/s and core; {counts[0]:,} at once, {counts[1]:,} later, "
+                f"{counts[2]:,} in contact"
+            )
             note += f", {counts[3]:,} failed" if counts[3] else ""
             error = ""
             if name != "Engine":
@@ -251,7 +257,10 @@ def thread_lines(table):
             same = all(a["counts"] == b["counts"] for a, b in zip(one, two))
             label, base = f"{cells} × {cells}, to the end", table.median(section, "1")
             yield row(label, "Engine, one thread", one, base)
-            note = f"{base / table.median(section, '2'):.2f} times as fast; shortest to shortest {shortest[0] / shortest[1]:.2f}"
+            note = (
+                f"{base / table.median(section, '2'):.2f} times as fast; shortest to shortest "
+                f"{shortest[0] / shortest[1]:.2f}"
+            )
             yield row(
                 label,
                 "Engine, two threads",

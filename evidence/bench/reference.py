@@ -1,4 +1,6 @@
-"""Prints the reference of the motion that rolls for ever (compare.py holds it): 30 digits, from the integral for the time.
+"""Prints the reference of the motion that rolls for ever (compare.py holds it).
+
+It has 30 digits, from the integral for the time.
 
 On the orbit D (theta'^2 + 1) = K with D = 4 + 2 cos theta, so that the time is the integral of
 sqrt(D / (K - D)).

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""How fast each kind of motion is, with `littlewood map` and with a peer on the same starts, in one run.
+"""How fast each kind of motion is: `littlewood map` and a peer on the same starts, in one run.
 
     python3 evidence/bench/regimes.py [--rounds 3] [--seconds 2] [--only WORD] [--json FILE]
     python3 evidence/bench/regimes.py --random 150 [--seed 1] [--seconds 1]
@@ -177,7 +177,10 @@ def write_list(path, starts):
 
 
 def peer_of(names, regime, cells, seconds):
-    """What the first peer that there is makes of starts of the grid: its answer, and the starts that it has followed."""
+    """What the first peer that there is makes of starts of the grid.
+
+    Its answer, and the starts that it has followed.
+    """
     hoop = regime.quantities()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "starts.csv"
@@ -330,11 +333,13 @@ def census(program, count, seed, seconds):
     print("|---|---|---|")
     for rate, cells, regime in found[:20]:
         print(
-            f"| {significant(rate)} | {cells} × {cells} | {', '.join(f'{name} {value:g}' for name, value in regime.hoop.items())} |"
+            f"| {significant(rate)} | {cells} × {cells} | "
+            f"{', '.join(f'{name} {value:g}' for name, value in regime.hoop.items())} |"
         )
     at = [found[min(count - 1, math.floor(part * count))][0] for part in (0.05, 0.25, 0.5, 0.75)]
     print(
-        f"\n{count} hoops, seed {seed}; starts a second at 5, 25, 50, 75 %: {', '.join(map(significant, at))}."
+        f"\n{count} hoops, seed {seed}; starts a second at 5, 25, 50, 75 %: "
+        f"{', '.join(map(significant, at))}."
     )
 
 
@@ -407,14 +412,16 @@ def main():
     records = [row.record(flagship) for row in rows]
     peer = next((record["peer"] for record in records if "peer" in record), "no peer")
     print(
-        f"| regime | grid | starts/s | of the flagship | starts/s to τ = 50 | {peer} | ratio | at once, later, in contact, else |"
+        f"| regime | grid | starts/s | of the flagship | starts/s to τ = 50 | {peer} | ratio | at "
+        "once, later, in contact, else |"
     )
     print("|---|---|---|---|---|---|---|---|")
     for record in records:
         print(line(record))
     load = f", load {os.getloadavg()[0]:.2f}" if hasattr(os, "getloadavg") else ""
     print(
-        f"\nThe fastest of {options.rounds} rounds, one core of {os.cpu_count()}{load}; each start to the end of its motion unless said."
+        f"\nThe fastest of {options.rounds} rounds, one core of {os.cpu_count()}{load}; each start "
+        "to the end of its motion unless said."
     )
     if options.json:
         options.json.write_text(json.dumps(records, indent=2) + "\n")

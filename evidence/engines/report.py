@@ -98,7 +98,10 @@ def listed(name: str) -> list[str]:
 
 
 def order(runs: list[Run]) -> float | None:
-    """Exponent of the step in the largest error, by least squares of the logarithms; None below three steps."""
+    """Exponent of the step in the largest error; None below three steps.
+
+    By least squares of the logarithms.
+    """
     pairs = [(run["step"], run["error"]) for run in runs if run["error"] > 0.0]
     if len(pairs) < 3:
         return None
@@ -117,7 +120,10 @@ def event(run: Run, kind: str) -> float | None:
 
 
 def cost(runs: list[Run]) -> float | None:
-    """Processor time at which the error is GOAL, between two runs by a line through the logarithms."""
+    """Processor time at which the error is GOAL.
+
+    A line through the logarithms leads from run to run.
+    """
     for coarse, fine in zip([None, *runs], runs, strict=False):
         if fine["error"] <= GOAL:
             if (
@@ -134,7 +140,8 @@ def cost(runs: list[Run]) -> float | None:
 def summary(every: dict[str, Engine], runs: Runs) -> list[str]:
     """The table of the first case: events, state, energy, order, cost at equal error."""
     rows = [
-        "| engine | contact | setting | stick | lift-off | landing | x, y, θ | energy | wrong | order "
+        "| engine | contact | setting | stick | lift-off | landing | x, y, θ | energy | wrong | "
+        "order "
         f"| s to {GOAL:g} |",
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
@@ -199,10 +206,14 @@ def settings(every: dict[str, Engine], runs: Runs) -> list[str]:
         docs = engine.said["docs"]
         link = f"[documentation]({docs})" if docs.startswith("http") else f"[scheme](../{docs})"
         rows.append(
-            f"| {engine.title} | {version or 'Cargo.lock'} | {adapter}, {link} | {engine.said.get('reply', '–')} |"
+            f"| {engine.title} | {version or 'Cargo.lock'} | {adapter}, {link} | "
+            f"{engine.said.get('reply', '–')} |"
         )
     machine = read_rows(RESULTS / "machines.csv")[0]
-    said = f"{machine['system']}, {machine['processor']}, {machine['cores']} cores, Python {machine['python']}."
+    said = (
+        f"{machine['system']}, {machine['processor']}, {machine['cores']} cores, Python "
+        f"{machine['python']}."
+    )
     return [*rows, "", said]
 
 

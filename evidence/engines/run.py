@@ -1,4 +1,6 @@
-"""Runs the engines, each in its own virtual environment, checks and scores what they compute, and writes their rows.
+"""Runs the engines, checks and scores what they compute, and writes their rows.
+
+Each runs in its own virtual environment.
 
 python evidence/engines/run.py [NAME ...] [--changed COMMIT] [--step STEP ...] [--case CASE ...]
 [--setting SETTING ...]
@@ -83,7 +85,10 @@ class Engine:
 
     @property
     def requires(self) -> list[str]:
-        """Packages with exact versions: of PyPI, or with npm:, cargo:, debian: or git: before them."""
+        """Packages with exact versions.
+
+        They are of PyPI, or with npm:, cargo:, debian: or git: before them.
+        """
         return self.said.get("requires", "").split()
 
     @property
@@ -127,7 +132,10 @@ def engines() -> dict[str, Engine]:
 
 
 def prepared(engine: Engine) -> list[str]:
-    """The command that runs an adapter; its environment is made if it is not there or has other versions."""
+    """The command that runs an adapter.
+
+    Its environment is made if it is not there or has other versions.
+    """
     adapter, folder, needs = engine.adapter, ENVIRONMENTS / engine.name, engine.requires
     if not needs:
         return [sys.executable, str(adapter)]
@@ -302,7 +310,10 @@ def runs(engine: Engine, options: argparse.Namespace) -> Iterator[dict[str, Any]
 
 
 def scored(label: str, record: Path, log: Path) -> dict[str, Any]:
-    """The score of a record; one with an obvious mistake has failed, as a number would say nothing of the engine."""
+    """The score of a record.
+
+    One with an obvious mistake has failed, as a number would say nothing of the engine.
+    """
     try:
         one = score(BENCHMARK[label].motion, Record.from_csv(record))
     except ValueError as error:
@@ -382,8 +393,18 @@ def gradient_runs(engine: Engine, options: argparse.Namespace) -> Iterator[dict[
 GRADIENT_CASES = ("rolls", "slides-and-sticks", "lands", "bounces")
 GRADIENT_STEPS = (1e-2, 1e-3)
 GRADIENT_COLUMNS = (
-    "engine", "case", "quantity", "setting", "step", "phase", "status", "exact", "error", "wrong_signs", "reason",
-)  # fmt: skip
+    "engine",
+    "case",
+    "quantity",
+    "setting",
+    "step",
+    "phase",
+    "status",
+    "exact",
+    "error",
+    "wrong_signs",
+    "reason",
+)
 
 NUMBERS = (
     "step",
@@ -402,7 +423,8 @@ NUMBERS = (
 )
 COUNTS = ("steps", "missed", "spurious")
 COLUMNS = ("case", "setting", "status", *NUMBERS, "events", "reason")
-"""Columns of results/NAME.csv. An event is its kind, its exact time, where the rule reads it in the exact motion, and
+"""Columns of results/NAME.csv. An event is its kind, its exact time, where the rule reads it in the
+exact motion, and
 in the record; a dash where it does not."""
 
 
@@ -472,7 +494,10 @@ def write(folder: Path, name: str, runs: list[dict[str, Any]]) -> None:
 def merged(
     old: list[dict[str, Any]], new: list[dict[str, Any]], settings: Sequence[str]
 ) -> list[dict[str, Any]]:
-    """Runs, of which new ones replace those of the same case and setting; by case, setting and falling step."""
+    """Runs by case, setting and falling step.
+
+    New ones replace those of the same case and setting.
+    """
     again = {(run["case"], run["setting"]) for run in new}
     kept_runs = [
         run
@@ -531,7 +556,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for name in options.names:
         if name not in every:
             parser.error(
-                f"no engine {name}: there are {', '.join(every)}; adapters/{name}_adapter.py would be one"
+                f"no engine {name}: there are {', '.join(every)}; adapters/{name}_adapter.py would "
+                "be one"
             )
     names = options.names or (list(every) if options.changed is None else changed(options.changed))
     failed = 0

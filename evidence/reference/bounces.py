@@ -63,7 +63,10 @@ def rates(body, ratio):
 
 
 def friction(body, slips):
-    """Friction over normal impulse: against the slip; at rest what keeps it so, if static friction can."""
+    """Friction over normal impulse, against the slip.
+
+    At rest it is what keeps it so, if static friction can.
+    """
     b = body.b
     if slips:
         return -b.mu_k * slips, slips

@@ -78,7 +78,7 @@ def given(line):
 
 
 def exact(named):
-    """Name, and hoop and start, and cause and numbers of the transitions with 60 digits, as text."""
+    """Name, hoop and start, cause and numbers of the transitions with 60 digits, as text."""
     name, line = named
     hoop, start = line["hoop"], line["start"]
     bounce = (
@@ -136,7 +136,10 @@ def surplus(value, truth, claimed):
 
 
 def compared(ours, theirs):
-    """(surplus or None, name, transition) of each number with a claim; None for one whose event is another."""
+    """(surplus or None, name, transition) of each number with a claim.
+
+    None is for one whose event is another.
+    """
     for k, (it, (cause, *numbers)) in enumerate(zip(ours, theirs)):
         if it["digits"] is None or it["cause"] == "settle":
             return

@@ -66,7 +66,10 @@ class Flight:
             turn += 1
 
     def window(self):
-        """Instants before and after the landing, few turns apart; the rim is above the plane from soon after the start to the first."""
+        """Instants before and after the landing, few turns apart.
+
+        The rim is above the plane from soon after the start to the first.
+        """
         # The rim is no lower than with the mass centre over it, and no higher than with the mass
         # centre under it.
         lowest, highest = self.h * (self.cos - 1), self.h * (self.cos + 1)
@@ -81,7 +84,10 @@ class Flight:
         return mpf(0), last
 
     def first_below(self, low, high):
-        """The first instant at which the gap falls through zero, from one where it is open, or from the start."""
+        """The first instant at which the gap falls through zero.
+
+        From one where it is open, or from the start.
+        """
         inflections = self.inflections(low)
         opens = low == 0
         a = low
@@ -126,7 +132,10 @@ def log_uniform(low, high):
 
 
 def start_of(kind):
-    """A flight of a kind: h, angle, rate, rate of the gap, each a double; of a lift-off the rate is exact, and the angle rounded."""
+    """A flight of a kind: h, angle, rate, rate of the gap, each a double.
+
+    Of a lift-off the rate is exact, and the angle rounded.
+    """
     while True:
         h = random.choice([log_uniform(-9, 0), random.uniform(0.05, 1)])
         sign = random.choice([-1, 1])

@@ -61,7 +61,9 @@ class Glide:
         return "bottom", (self.rise + mp.sqrt(square)) / self.weight
 
     def instants(self, end):
-        steps = [mpf(10) ** (-mpf(k) / POINTS_PER_DECADE) for k in range(DECADES * POINTS_PER_DECADE)]
+        steps = [
+            mpf(10) ** (-mpf(k) / POINTS_PER_DECADE) for k in range(DECADES * POINTS_PER_DECADE)
+        ]
         near = [end * step for step in steps]
         late = [end * (1 - step) for step in steps[1:]]
         turn = self.rise / self.weight

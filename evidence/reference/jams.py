@@ -30,7 +30,10 @@ LARGEST_ERROR = mpf(10) ** -32
 
 
 class Hoop:
-    """Mass, place of the mass centre and inertia about it, from the hoop and the particle; friction."""
+    """Mass, place of the mass centre, inertia about it, and friction.
+
+    From the hoop and the particle.
+    """
 
     def __init__(self, mass_ratio, offset, inertia, mu):
         m1, l, izz, self.mu = map(mpf, (mass_ratio, offset, inertia, mu))
@@ -39,13 +42,16 @@ class Hoop:
         self.i = izz + m1 * self.h**2 + (l - self.h) ** 2
 
     def impulses(self, theta):
-        """Change of rate, slip and rate of the gap by a unit of normal impulse, with friction against a positive slip."""
+        """Change of rate, slip and rate of the gap by a unit of normal impulse.
+
+        Friction acts against a positive slip.
+        """
         c, s = mp.cos_sin(theta)
         spin = (self.h * s - self.mu * (1 + self.h * c)) / self.i
         return spin, -self.mu / self.m + (1 + self.h * c) * spin, 1 / self.m + self.h * s * spin
 
     def zero(self):
-        """The upper angle in (0, pi) at which the gap does not answer to an impulse; none where there is none."""
+        """The upper angle in (0, pi) at which the gap does not answer to an impulse, or none."""
         f = lambda theta: self.impulses(theta)[2]
         grid = [mp.pi * k / 400 for k in range(1, 400)]
         for low, high in zip(grid, grid[1:]):
@@ -55,7 +61,10 @@ class Hoop:
 
 
 class Slide:
-    """From the right towards the upper zero, at theta = zero + exp(-s): u, slip and time as functions of s."""
+    """From the right towards the upper zero: u, slip and time as functions of s.
+
+    The angle is theta = zero + exp(-s).
+    """
 
     def __init__(self, hoop, zero):
         self.hoop, self.zero = hoop, zero
@@ -99,7 +108,10 @@ class Slide:
         return 1 - self.hoop.h * mp.cos(self.zero + mp.exp(-s)) * y[0]
 
     def path(self, start, u):
-        """Nodes (s, (u, slip spent so far, time)) to the lift-off, or to xi = 1e-32; none where it turns back."""
+        """Nodes (s, (u, slip spent so far, time)) to the lift-off, or to xi = 1e-32.
+
+        None where it turns back.
+        """
         s, y, width = -mp.log(start - self.zero), (u, mpf(0), mpf(0)), mpf(1) / 2
         nodes = [(s, y)]
         while s < LAST:
@@ -172,7 +184,10 @@ def end_of(slide, nodes, slip):
 
 
 def spent(slide, nodes):
-    """Slip with which the force vanishes at P = 0 as the slip does; none where it lifts off before, or never comes to that."""
+    """Slip with which the force vanishes at P = 0 as the slip does.
+
+    None where it lifts off before, or never comes to that.
+    """
     _, (u, change, _) = nodes[-1]
     cos = mp.cos(slide.zero)
     if slide.force(*nodes[-1]) <= 0 or cos <= 0:
@@ -189,7 +204,10 @@ def exponent(hoop, zero):
 
 
 def cases(count):
-    """Hoops with the particle on the rim or within, of all masses down to 1e-6, and slides from near and far."""
+    """Hoops of all masses down to 1e-6, and slides from near and far.
+
+    The particle is on the rim or within.
+    """
     draw = random.Random(32)
     while count:
         kind = draw.random()

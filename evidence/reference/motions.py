@@ -75,7 +75,11 @@ def gap_of(hoop, begin, t):
 
 
 def energy(hoop, state, gap):
-    """Sum over hoop and particle; the potential energy is that of the paper plus mass times gap, and that of the fall along the plane."""
+    """Sum over hoop and particle.
+
+    The potential energy is that of the paper plus mass times gap, and that of the fall along the
+    plane.
+    """
     (height, rise), rate, m1, izz = (
         gap,
         state["theta_rate"],
@@ -106,7 +110,10 @@ def sample(hoop, mode, sigma, begin, state):
 
 
 def motion(numbers, start, until, times=None):
-    """Transitions, phases with samples, and the end, with the precision that is set; with the times of the samples of another run."""
+    """Transitions, phases with samples, and the end, with the precision that is set.
+
+    With the times of the samples of another run.
+    """
     hoop, begins = Hoop(*numbers), dict(zip(NUMBERS, map(mpfr, (0, *start, 0))))
 
     def to(time):
@@ -176,7 +183,10 @@ def numbers_in(v):
 
 
 def checked(given, found):
-    """Largest difference of all numbers of a motion (relative above 1) from a run with 40 digits."""
+    """Largest difference of all numbers of a motion from a run with 40 digits.
+
+    It is relative above 1.
+    """
     Work.use(FINE)
     times = [[float(one["time"]) for one in phase["samples"]] for phase in found["phases"]]
     pairs = list(zip(numbers_in(found), numbers_in(motion(*given, times)), strict=True))

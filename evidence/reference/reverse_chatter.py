@@ -80,7 +80,10 @@ def text(number):
 
 
 def case(numbers, place, law):
-    """What becomes of a bounce, or None where static friction does not hold, or the bounce does not stick or hardly changes."""
+    """What becomes of a bounce, or None.
+
+    None where static friction does not hold, or the bounce does not stick or hardly changes.
+    """
     hoop = Hoop(*numbers)
     theta, rate = map(mpfr, place)
     if not rolls(hoop, theta, rate) or unloaded(hoop, theta, rate) < 0.05:

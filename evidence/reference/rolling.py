@@ -113,7 +113,10 @@ class Orbit:
         return self.a + 2 * self.l * mp.cos(theta)
 
     def left(self, theta):
-        """K - D; the difference of the cosines as a product, so that nothing cancels near a turning point."""
+        """K - D.
+
+        The difference of the cosines is a product, so that nothing cancels near a turning point.
+        """
         return self.gain + 4 * self.l * mp.sin((theta + self.theta0) / 2) * mp.sin(
             (theta - self.theta0) / 2
         )
@@ -168,7 +171,10 @@ def period(hoop, theta0, rate0, ratio=10):
 
 
 def twice(f, *given):
-    """The value with 50 digits and its relative difference from the value with 65 and other cuts."""
+    """The value with 50 digits and its relative difference from another.
+
+    That one has 65 digits, and other cuts.
+    """
     with mp.workdps(50):
         value = f(*given)
     with mp.workdps(65):

@@ -183,7 +183,10 @@ class Law:
         return mp.matrix([time, slip])
 
     def between(self, level, a, b, turns=False):
-        """Time and change of slip from an angle to another, in a panel; `turns` where u = 0 at the second."""
+        """Time and change of slip from an angle to another, in a panel.
+
+        `turns` where u = 0 at the second.
+        """
         total = [mpf(0), mpf(0)]
         for x, w in RULE:
             # Towards a turning point theta = b - (b - a) y^2 takes the root out.
@@ -279,7 +282,10 @@ def derivatives(f, x, radius):
 
 
 class Run:
-    """One slide, followed to its end. The place is an angle between 0 and one turn, with the turns before it."""
+    """One slide, followed to its end.
+
+    The place is an angle between 0 and one turn, with the turns before it.
+    """
 
     def __init__(self, hoop, start):
         theta, rate, slip = map(mpf, start)
@@ -323,7 +329,10 @@ class Run:
             self.turns, self.angle = self.turns + 1, mpf(0)
 
     def panel(self):
-        """To the end of the panel, or to a turning point; true if the slide goes on in this direction."""
+        """To the end of the panel, or to a turning point.
+
+        True if the slide goes on in this direction.
+        """
         law, p = self.law, int(mp.floor(self.angle / self.law.width + mpf(10) ** -30))
         left, right = p * law.width, (p + 1) * law.width
         inside = abs(self.angle - left) < mpf(10) ** -30
@@ -472,7 +481,10 @@ class Run:
         self.level = self.law.level(theta, mpf(0))
 
     def librate(self):
-        """From a turning point: true if there is another within a turn; whole periods are left out while the slip lasts."""
+        """From a turning point: true if there is another within a turn.
+
+        Whole periods are left out while the slip lasts.
+        """
         law, step = self.law, self.law.width
         u = lambda theta: law.u(self.level, theta)
         ahead = next((k for k in range(1, 2 * PANELS) if u(self.angle + k * step / 2) <= 0), None)

@@ -1,4 +1,6 @@
-"""The studies of docs/studies: what their pages say in numbers and pictures, computed with the released package.
+"""The studies of docs/studies, computed with the released package.
+
+They are what its pages say in numbers and pictures.
 
 `python -m evidence.studies NAME` computes a study, and puts its tables and pictures into its page.
 """

@@ -1,4 +1,7 @@
-"""`python -m evidence.studies NAME…`: computes studies, and writes their tables, pictures and lists."""
+"""`python -m evidence.studies NAME…`: computes studies.
+
+It writes their tables, pictures and lists.
+"""
 
 from __future__ import annotations
 

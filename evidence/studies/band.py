@@ -1,4 +1,4 @@
-"""The band in which rolling would need a normal force below zero, and the plane still holds the rim."""
+"""The band in which the plane holds the rim though rolling would need N < 0."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The best hop: what a hoop can jump with a given energy, what it takes to jump at all, and how often it hops."""
+"""The best hop: what a hoop can jump with a given energy.
+
+Also what it takes to jump at all, and how often it hops.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,8 @@ from .study import Study
 
 FRICTIONS = (0.1, 0.3, 0.6, 1.0)
 ENERGIES = (1.2, 1.5, 2.0, 3.0, 5.0, 10.0)
-"""Energies over m g R; 0 is that of a hoop at rest with its mass centre at the height of its centre."""
+"""Energies over m g R; 0 is that of a hoop at rest with its mass centre at the height of its
+centre."""
 
 
 @dataclass(frozen=True)
@@ -68,7 +72,7 @@ class Body:
         }
 
     def lift_off_energy(self, angle: Any) -> Any:
-        """Return the least energy over m g R with which the hoop can leave a slide at an angle before the top."""
+        """Return the least energy over m g R to leave a slide at an angle before the top."""
         c = np.cos(angle)
         return 0.5 * (self.gyration + self.h * self.h) / (self.h * c) + 0.5 * self.h * c
 
@@ -78,7 +82,7 @@ class Body:
         return 0.5 * self.gyration / self.h + self.h
 
     def earliest(self, energy: float) -> float:
-        """Return the largest angle before the top at which a slide with an energy can end; NaN if it cannot."""
+        """Return the largest angle before the top at which a slide of an energy can end, or NaN."""
         square = energy * energy - self.gyration - self.h * self.h
         if energy < self.least_energy or square < 0.0:
             return math.nan
@@ -98,7 +102,10 @@ def law() -> tuple[Any, Any]:
 
 
 def reach(body: Body, energy: float, angle: Any, turned: Any) -> Any:
-    """Return how far the centre can go in a jump out of a slide with an energy that ends at an angle."""
+    """Return how far the centre can go in a jump out of a slide.
+
+    The slide has an energy, and ends at an angle.
+    """
     spare = np.maximum(energy - body.lift_off_energy(angle), 0.0)
     swing = np.abs(body.h * (np.sin(turned - angle) + np.sin(angle)))
     return np.sqrt(2.0 * spare) * turned * np.sqrt(body.h * np.cos(angle)) + swing
@@ -115,7 +122,10 @@ def farthest(body: Body, energy: float) -> tuple[float, float]:
 
 
 def thrown(body: Body, angle: float, along: float, mu: float) -> lw.Trajectory:
-    """Return the motion of a hoop that starts at the end of a slide, its mass centre with a speed along the plane."""
+    """Return the motion of a hoop that starts at the end of a slide.
+
+    Its mass centre has a speed along the plane.
+    """
     rate = 1.0 / math.sqrt(body.h * math.cos(angle))
     hoop = body.hoop(mu)
     # A little below the rate of lift-off, so that it slides first.
@@ -130,7 +140,10 @@ def flight(motion: lw.Trajectory) -> lw.motion.Phase:
 
 
 def rolled(body: Body, energy: float, mu: float) -> Any:
-    """Return the heights of the first jumps, or NaN, of hoops that roll at the bottom with an energy over m g R."""
+    """Return the heights of the first jumps, or NaN.
+
+    The hoops roll at the bottom with an energy over m g R.
+    """
     rate = np.sqrt(2.0 * (energy + body.h) / body.about_contact(math.pi))
     found = lw.simulate_many(
         theta=math.pi,
@@ -146,7 +159,7 @@ def rolled(body: Body, energy: float, mu: float) -> Any:
 
 
 def searched(energy: float, mu: float, share: float) -> tuple[Any, Any]:
-    """Return offsets, and the heights of the jumps of hoops with a share of the inertia of thin ones."""
+    """Return offsets, and heights of jumps of hoops with a share of the inertia of thin ones."""
     offsets = np.linspace(0.02, 0.99, 98)
     return offsets, rolled(Body(offsets, share * (1.0 - offsets * offsets)), energy, mu)
 
@@ -166,9 +179,17 @@ def least_push(h: float, mu: float) -> float:
     rates = np.linspace(low, high * (1.0 - 1e-6), 64)
     ratio = 1.0 / h - 1.0
     found = lw.simulate_many(
-        theta=0.0, theta_rate=rates, mass_ratio=ratio, offset=1.0, inertia=ratio, mu_s=mu, mu_k=mu, proof="contact",
-        max_transitions=1000, threads=2,
-    )  # fmt: skip
+        theta=0.0,
+        theta_rate=rates,
+        mass_ratio=ratio,
+        offset=1.0,
+        inertia=ratio,
+        mu_s=mu,
+        mu_k=mu,
+        proof="contact",
+        max_transitions=1000,
+        threads=2,
+    )
     jumps = np.nonzero(~np.isnan(found.jump_height.to_numpy()))[0]
     if len(jumps) == 0:
         return math.nan
@@ -184,7 +205,10 @@ def least_push(h: float, mu: float) -> float:
 
 
 def hops(hoop: lw.Hoop, speed: float, least: float, most: int = 9) -> int:
-    """Return how many flights are higher than a gap, of a hoop that rolls over the bottom; no more than `most`."""
+    """Return how many flights are higher than a gap, no more than `most`.
+
+    The hoop rolls over the bottom.
+    """
     motion = hoop.simulate(theta=math.pi, theta_rate=-speed, until=40.0, max_transitions=400)
     after = {
         one.time: one.impact.after.gap_rate for one in motion.transitions if one.impact is not None
@@ -208,15 +232,22 @@ def hops(hoop: lw.Hoop, speed: float, least: float, most: int = 9) -> int:
 
 
 RING, RADIUS = 0.124, 0.14
-"""The published build: a hoop of 124 g and 14 cm, which hops once with about 51 g, and twice with about 66 g."""
+"""The published build: a hoop of 124 g and 14 cm, which hops once with about 51 g, and twice with
+about 66 g."""
 
 
 def build(weight: float, mu: float, restitution: float) -> lw.Hoop:
     """Return the published hoop with a weight in kg on its rim."""
     return lw.Hoop.from_si(
-        disc_mass_kg=RING, particle_mass_kg=weight, radius_m=RADIUS, offset_m=RADIUS, inertia_kg_m2=RING * RADIUS**2,
-        mu_s=mu, mu_k=mu, restitution=restitution,
-    )  # fmt: skip
+        disc_mass_kg=RING,
+        particle_mass_kg=weight,
+        radius_m=RADIUS,
+        offset_m=RADIUS,
+        inertia_kg_m2=RING * RADIUS**2,
+        mu_s=mu,
+        mu_k=mu,
+        restitution=restitution,
+    )
 
 
 @cache
@@ -285,7 +316,10 @@ def two_turns() -> str:
     """What it takes to turn twice in the air."""
     angle = zero(lambda angle: turned_in_air(angle) - 4.0 * math.pi, 1.36, 1.5)
     energy = float(Body.thin(1.0).lift_off_energy(angle))
-    return f"a lift-off {angle / DEGREE:.1f}° before the top, and at least E = {energy:.2f} m g R in a thin hoop"
+    return (
+        f"a lift-off {angle / DEGREE:.1f}° before the top, and at least E = {energy:.2f} m g R in "
+        "a thin hoop"
+    )
 
 
 SHARES = (1.0, 0.5, 0.1)
@@ -316,8 +350,10 @@ def highest() -> str:
     )
     count = len(ENERGIES) * len(FRICTIONS)
     return (
-        f"In {edge} of {count} searches over thin hoops the highest jump was that of the largest h that was tried, "
-        f"0.99, and in {least} of {count} the least inertia that was tried, a tenth of a thin hoop's, jumped highest"
+        f"In {edge} of {count} searches over thin hoops the highest jump was that of the largest h "
+        "that was tried, "
+        f"0.99, and in {least} of {count} the least inertia that was tried, a tenth of a thin "
+        "hoop's, jumped highest"
     )
 
 
@@ -343,7 +379,10 @@ def speeds() -> str:
 
 
 def push_picture() -> Figure:
-    """What it takes to jump, how high hoops jump that are pushed over the top, and the bound by energy."""
+    """What it takes to jump, how high hoops jump, and the bound by energy.
+
+    The hoops are pushed over the top.
+    """
     figure, (left, middle, right) = panels(3)
     shown = np.linspace(0.03, 0.985, 150)
     left.plot(shown, np.sqrt(0.5 * (1.0 - shown)), color=FAINT, label="bound, proved")
@@ -361,9 +400,17 @@ def push_picture() -> Figure:
     )
     ratio = 1.0 / wide - 1.0
     found = lw.simulate_many(
-        theta=0.0, theta_rate=rates / np.sqrt(wide), mass_ratio=ratio, offset=1.0, inertia=ratio, mu_s=0.3, mu_k=0.3,
-        proof="contact", max_transitions=1000, threads=2,
-    )  # fmt: skip
+        theta=0.0,
+        theta_rate=rates / np.sqrt(wide),
+        mass_ratio=ratio,
+        offset=1.0,
+        inertia=ratio,
+        mu_s=0.3,
+        mu_k=0.3,
+        proof="contact",
+        max_transitions=1000,
+        threads=2,
+    )
     heights = found.jump_height.to_numpy()
     levels = [0.001, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0, 1.5]
     lines = middle.contour(

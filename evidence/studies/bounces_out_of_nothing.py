@@ -131,7 +131,10 @@ BODIES = {
 def least_slope(
     h: float, kappa: float, mu: float, e: float, law: str = "energetic"
 ) -> tuple[float, float]:
-    """Return the least slope on which bounces grow out of rest, and |θ| there: ρ = tan α at rest."""
+    """Return the least slope on which bounces grow out of rest, and |θ| there.
+
+    There ρ = tan α at rest.
+    """
     low, _ = Contact(h, kappa, ANGLES, mu).range(e, law)
     best = int(np.argmin(low))
     return math.atan(float(low[best])), float(ANGLES[best])
@@ -221,7 +224,8 @@ def counted() -> str:
     """The survey as a sentence."""
     found = survey()
     return (
-        f"of {found['rolling']} rolling states of random hoops on slopes up to 74°, e from 0.3 to 0.95, "
+        f"of {found['rolling']} rolling states of random hoops on slopes up to 74°, e from 0.3 to "
+        "0.95, "
         f"{found['grows']} grow, {found['above e']} have a ratio between e and 1, "
         f"and {found['wrong']} differ from the program"
     )
@@ -259,7 +263,10 @@ SEEN = 1e-3
 
 
 def state_seen(share: float, generations: int) -> tuple[float, float, float]:
-    """Return θ, θ′ and the gap rate after the first bounce beyond `SEEN`, thrown with Λ^(share − generations) of it."""
+    """Return θ, θ′ and the gap rate after the first bounce beyond `SEEN`.
+
+    It is thrown with Λ^(share − generations) of it.
+    """
     hoop, theta = example(), saddle()
     ratio = hoop.classify(theta=theta, theta_rate=0.0).reverse_chatter
     assert ratio is not None

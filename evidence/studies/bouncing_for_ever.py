@@ -1,4 +1,7 @@
-"""Bouncing for ever: the motions with e = 1 that turn or rock, their stability, and what losses do."""
+"""Bouncing for ever: the motions with e = 1 that turn or rock.
+
+Their stability, and what losses do.
+"""
 
 from __future__ import annotations
 
@@ -122,7 +125,7 @@ class Orbit:
 
     @property
     def tilt(self) -> Any:
-        """Γ: what becomes zero where impacts that are not opposite to each other fit, too, in the first order."""
+        """Γ: zero where impacts not opposite to each other fit, too, in the first order."""
         c = self.lever - 1
         share = (1 - self.alpha + 2 * c) / (1 + self.alpha) if self.rough else c
         first, second = self.halves
@@ -148,14 +151,20 @@ class Orbit:
 
     @property
     def margin(self) -> Any:
-        """Positive where both multipliers are inside the unit circle, or on it without friction, and not at ±1."""
+        """Positive where both multipliers are inside the unit circle.
+
+        Or on it without friction, and not at ±1.
+        """
         q, d = self.product, self.determinant
         inner = np.minimum(q, 2 * (1 + d) - q)
         return np.minimum(inner, 1 - d) if self.rough else inner
 
     @property
     def multipliers(self) -> tuple[complex, complex]:
-        """ζ1 and ζ2: what a disturbance is multiplied by in a turn, beside the 1 of the family itself."""
+        """ζ1 and ζ2: what a disturbance is multiplied by in a turn.
+
+        Beside them is the 1 of the family itself.
+        """
         d = self.determinant
         half = 0.5 * (1.0 + d - self.product)
         root = cmath.sqrt(half * half - d)
@@ -167,12 +176,18 @@ class Orbit:
         return (1 + self.alpha) * self.gap_rate * self.gap_rate
 
     def turn(self) -> Matrix:
-        """Return the derivative of a turn: from (θ, θ′, v) after an impact at −φ to that after the next there."""
+        """Return the derivative of a turn.
+
+        From (θ, θ′, v) after an impact at −φ to that after the next there.
+        """
         top, bottom = self.flight(first=True), self.flight(first=False)
         return product(self.impact(-1), product(bottom, product(self.impact(1), top)))
 
     def flight(self, *, first: bool) -> Matrix:
-        """Return the derivative of a flight, and of the loss of slip at its end, over the top or under the bottom."""
+        """Return the derivative of a flight, and of the loss of slip at its end.
+
+        It goes over the top or under the bottom.
+        """
         c, v = self.lever - 1, self.gap_rate
         begin, w = (-self.arm, self.rate) if first else (self.arm, self.second_rate)
         end = -begin
@@ -250,7 +265,10 @@ def orbit(h: float, gyration: float, angle: float, *, rough: bool = True) -> Orb
 
 
 def rocking(h: float, gyration: float, angle: float, *, rough: bool = True) -> Orbit:
-    """Return the motion that rocks under the bottom between impacts at φ and 2π − φ; its two rates are opposite."""
+    """Return the motion that rocks under the bottom between impacts at φ and 2π − φ.
+
+    Its two rates are opposite.
+    """
     arm, lever = h * math.sin(angle), 1.0 + h * math.cos(angle)
     rest = gyration + (lever * lever if rough else 0.0)
     inertia = rest + arm * arm
@@ -259,13 +277,19 @@ def rocking(h: float, gyration: float, angle: float, *, rough: bool = True) -> O
 
 
 def rocked(motion: Orbit) -> Matrix:
-    """Return the derivative of a half period of rocking: from after an impact to the mirror image of the next."""
+    """Return the derivative of a half period of rocking.
+
+    From after an impact to the mirror image of the next.
+    """
     mirror: Matrix = [[-1, 0, 0], [0, -1, 0], [0, 0, 1]]
     return product(mirror, product(motion.impact(-1), motion.flight(first=False)))
 
 
 def smooth_rocking(h: float) -> list[float]:
-    """Return the angles at which rocking without friction of a thin hoop gains or loses its stability."""
+    """Return the angles at which rocking of a thin hoop gains or loses stability.
+
+    Without friction.
+    """
 
     def margin(angle: float) -> float:
         half = rocked(rocking(h, thin(h), angle, rough=False))
@@ -313,7 +337,7 @@ def stable(h: float, *, rough: bool = True) -> tuple[tuple[float, float], ...]:
 
 
 def life(h: float, low: float, high: float) -> float:
-    """Return the turns times 1 − e in which small losses take a thin hoop from one angle to another."""
+    """Return the turns times 1 − e in which small losses take a thin hoop to another angle."""
     nodes, weights = np.polynomial.legendre.leggauss(40)
     angles = 0.5 * (low + high) + 0.5 * (high - low) * nodes
     orbits = family(h, thin(h), angles)
@@ -321,7 +345,10 @@ def life(h: float, low: float, high: float) -> float:
 
 
 def random_orbits(seed: int, count: int) -> Iterator[tuple[lw.Hoop, Orbit, float]]:
-    """Yield random hoops, rough enough and with e = 1, with a motion that bounces for ever and its angle."""
+    """Yield random hoops with a motion that bounces for ever, and its angle.
+
+    They are rough enough, and e = 1.
+    """
     for drawn, random in random_hoops(seed, count):
         angle = random.uniform(0.3, 2.9)
         found = orbit(drawn.h, drawn.inertia_about_mass_centre / drawn.mass, angle)
@@ -370,7 +397,10 @@ def differences(hoop: lw.Hoop, motion: Orbit, angle: float, step: float = 1e-7) 
 
 
 def derivative_error(seed: int, count: int) -> list[float]:
-    """Return by how much derivatives of random motions differ from differences, over their largest element."""
+    """Return how far derivatives of random motions are from differences.
+
+    Over their largest element.
+    """
     found = []
     for hoop, motion, angle in random_orbits(seed, count):
         exact: Any = np.array(motion.turn())
@@ -399,7 +429,10 @@ class Drift:
 
 @cache
 def drift(h: float, angle: float, loss: float, turns: int) -> Drift:
-    """Return the simulated motion of a thin hoop with e = 1 − loss from the start of a motion that bounces for ever."""
+    """Return the simulated motion of a thin hoop with e = 1 − loss.
+
+    It starts as a motion that bounces for ever.
+    """
     hoop = thin_hoop(h, mu_k=0.5, restitution=1.0 - loss)
     begin = orbit(h, thin(h), angle)
     assert begin is not None
@@ -413,7 +446,10 @@ def drift(h: float, angle: float, loss: float, turns: int) -> Drift:
 
 
 def expected_turns(h: float, begin: float, end: float) -> Callable[[float], float]:
-    """Return the function from an angle to the turns times 1 − e until the losses have brought a motion there."""
+    """Return the turns times 1 − e until the losses have brought a motion to an angle.
+
+    As a function of the angle.
+    """
     angles = np.linspace(begin, end, 400)
     orbits = family(h, thin(h), angles)
     rates = np.abs(orbits.energy_slope / orbits.decay)
@@ -427,7 +463,8 @@ def agreement() -> str:
     """How well the derivative agrees with differences of simulated motions."""
     errors = np.sort(derivative_error(2026, 400))
     return (
-        f"{len(errors)} random hoops and motions: half of them to {errors[len(errors) // 2]:.0e} of the largest "
+        f"{len(errors)} random hoops and motions: half of them to {errors[len(errors) // 2]:.0e} "
+        "of the largest "
         f"element, all to {errors[-1]:.0e}"
     )
 
@@ -466,7 +503,10 @@ def bands() -> list[str]:
 def rocks() -> str:
     """The motion of the hoop of Figure 2 that rocks."""
     found = rocking(0.5, 0.75, 2.0)
-    return f"θ′ = ±{found.second_rate:.5f}, v = {found.gap_rate:.5f} and a friction of {found.friction:.4f} or more"
+    return (
+        f"θ′ = ±{found.second_rate:.5f}, v = {found.gap_rate:.5f} and a friction of "
+        f"{found.friction:.4f} or more"
+    )
 
 
 def rocking_text() -> str:

@@ -1,4 +1,7 @@
-"""Boundaries between sequences of the first turn: frictions at which two events coincide, on lines of γ and θ′."""
+"""Boundaries between sequences of the first turn: frictions at which two events coincide.
+
+They are on lines of γ and θ′.
+"""
 
 from __future__ import annotations
 
@@ -15,10 +18,12 @@ WIDTH = 1e-12
 """Part of the friction to which a boundary is told."""
 
 AWAY = (1e-12, 1e-11, 1e-10)
-"""Parts of the friction by which a side is left, where it has another sequence when it is simulated."""
+"""Parts of the friction by which a side is left, where it has another sequence when it is
+simulated."""
 
 NOTHING = 1e-9
-"""Part of the friction below which the distance of two boundaries is none: there the order of two events is rounded."""
+"""Part of the friction below which the distance of two boundaries is none: there the order of two
+events is rounded."""
 
 NOT_TOLD = "not told"
 
@@ -69,7 +74,10 @@ class Boundary:
 
     @property
     def turns(self) -> tuple[Turn, Turn]:
-        """The turns below and above, as near to the boundary as the simulation, which rounds otherwise, has them."""
+        """The turns below and above, as near to the boundary as the simulation has them.
+
+        It rounds otherwise.
+        """
         return self._turn(self.low, self.below, -1.0), self._turn(self.high, self.above, 1.0)
 
     def _turn(self, mu: float, name: str, away: float) -> Turn:
@@ -130,7 +138,9 @@ def boundaries(
     count: int,
     width: float = WIDTH,
 ) -> list[Boundary]:
-    """Return where the sequence changes between neighbours of a scan, line by line with rising friction.
+    """Return where the sequence changes between neighbours of a scan.
+
+    Line by line, with rising friction.
 
     Each is told to a part of μ, the last digits by default; all lines are halved at once. Every
     line may have limits of its own.
@@ -199,7 +209,7 @@ def points_between(
     widths: Sequence[float],
     tolerance: float,
 ) -> Floats:
-    """Return the friction near each guess at which one sequence passes into another; NaN where none is found.
+    """Return the friction near each guess at which one sequence passes into another, or NaN.
 
     It is looked for in intervals that grow: in the least that has both sequences at its ends no
     third is hidden.
@@ -229,7 +239,10 @@ def _halved(
     sides: tuple[Texts, Texts],
     tolerance: float,
 ) -> tuple[Places, Floats, Floats]:
-    """Return the intervals whose ends and middles have only the two sequences, halved to a tolerance."""
+    """Return the intervals whose ends and middles have only the two sequences.
+
+    They are halved to a tolerance.
+    """
     (gamma, rate), (below, above) = line, sides
     if not len(one):
         return one, low, high

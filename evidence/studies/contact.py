@@ -1,4 +1,7 @@
-"""The contact of a heavy hoop: what rolling and sliding need from the plane, by the angle and u = θ′²."""
+"""The contact of a heavy hoop: what rolling and sliding need from the plane.
+
+By the angle and u = θ′².
+"""
 
 from __future__ import annotations
 

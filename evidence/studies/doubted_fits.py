@@ -49,7 +49,7 @@ def of_faults() -> list[str]:
         said = Counter(doubt for row in rows for doubt in doubts_of(row))
         lines.append(
             [
-                (film.__doc__ or name).rstrip("."),
+                " ".join((film.__doc__ or name).split()).rstrip("."),
                 str(sum(map(is_wrong, rows))),
                 str(sum(bool(doubts_of(row)) for row in rows)),
                 str(silent(rows)),
@@ -93,12 +93,18 @@ SEEN = 17
 
 
 def at_most(rows: list[dict[str, str]]) -> float:
-    """Return the share of unsaid wrong fits that so many films leave possible, at 95 %: Clopper and Pearson's bound."""
+    """Return the share of unsaid wrong fits that so many films leave possible, at 95 %.
+
+    This is Clopper and Pearson's bound.
+    """
     return float(binomtest(unsaid(rows), len(rows), alternative="less").proportion_ci(0.95).high)
 
 
 def fresh() -> str:
-    """How many fits of films not seen before are wrong without any doubt, and what these films leave possible."""
+    """How many fits of new films are wrong without any doubt.
+
+    And what these films, not seen before, leave possible.
+    """
     rows = {
         name: [row for row in rows_of(name) if int(row["film"]) >= SEEN]
         for name in FAULTS
@@ -107,7 +113,8 @@ def fresh() -> str:
     together = [row for one in rows.values() for row in one]
     worst = max(map(at_most, rows.values()))
     return (
-        f"{unsaid(together)} of {len(together)} are wrong without any doubt, so at most {at_most(together):.1%} of all "
+        f"{unsaid(together)} of {len(together)} are wrong without any doubt, so at most "
+        f"{at_most(together):.1%} of all "
         f"and at most {worst:.1%} of any one fault"
     )
 

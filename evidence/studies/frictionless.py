@@ -15,7 +15,10 @@ Floats = npt.NDArray[np.float64]
 def quadratic(
     contact: Contact, rate: float | Floats
 ) -> tuple[float | Floats, float | Floats, float | Floats]:
-    """Return the coefficients of 1, c and c² of the polynomial whose roots are the zeros of the slip but the top."""
+    """Return the coefficients of 1, c and c² of a polynomial.
+
+    Its roots are the zeros of the slip but the top.
+    """
     m, h, inertia = contact.m, contact.h, contact.inertia
     energy, start = inertia * rate**2 + 2.0 * m * h, rate**2 * (1.0 + h) ** 2
     third = -2.0 * m * h**3
@@ -24,7 +27,10 @@ def quadratic(
 
 
 def degenerate_rates(contact: Contact, count: int = 2000) -> list[float]:
-    """Return the rates at the top at which reversals come from the top, from the bottom, or two from nothing."""
+    """Return the rates at the top at which reversals come, by origin.
+
+    From the top, from the bottom, or two from nothing.
+    """
     m, h, inertia = contact.m, contact.h, contact.inertia
     rates = np.linspace(0.0, 1.0 / math.sqrt(h), count + 1)[1:]
     found = [

@@ -32,7 +32,10 @@ Scheme = Callable[[lw.Hoop, float, complex], complex]
 
 
 class Body:
-    """A hoop without friction in the air: angle, height of the mass centre, and their rates, complex."""
+    """A hoop without friction in the air, complex.
+
+    Angle, height of the mass centre, and their rates.
+    """
 
     def __init__(self, hoop: lw.Hoop, rise: complex) -> None:
         self.h, self.mass, self.inertia = hoop.h, hoop.mass, hoop.inertia_about_mass_centre
@@ -77,7 +80,10 @@ def with_impacts(hoop: lw.Hoop, step: float, rise: complex) -> complex:
 
 
 def with_spring(hoop: lw.Hoop, step: float, rise: complex, duration: float = SOFT) -> complex:
-    """Return θ at the end: a spring at the plane, so stiff that the body above it stays for about this time."""
+    """Return θ at the end.
+
+    A spring at the plane is so stiff that the body above it stays for about this time.
+    """
     body = Body(hoop, rise)
     stiffness = hoop.mass * (math.pi / duration) ** 2
     for _ in range(round(END / step)):
@@ -93,7 +99,10 @@ def with_stiff_spring(hoop: lw.Hoop, step: float, rise: complex) -> complex:
 
 
 def automatic(scheme: Scheme, hoop: lw.Hoop, step: float) -> float:
-    """Return the derivative by the rate of the start, as automatic differentiation has it: by a complex step."""
+    """Return the derivative by the rate of the start, by a complex step.
+
+    So does automatic differentiation.
+    """
     return scheme(hoop, step, complex(RISE, COMPLEX_STEP)).imag / COMPLEX_STEP
 
 
@@ -114,7 +123,10 @@ def exact(hoop: lw.Hoop) -> float:
 
 
 def without_delay(hoop: lw.Hoop) -> float:
-    """Return what an impact whose time does not depend on the start gives: R_y (δy)_τ, continued in flight."""
+    """Return what an impact gives whose time does not depend on the start.
+
+    It is R_y (δy)_τ, continued in flight.
+    """
     motion = motion_of(hoop)
     (landing,) = motion.transitions
     assert landing.impact is not None
@@ -164,7 +176,10 @@ def landing_of(mu_k: float) -> float:
 
 @cache
 def errors(step: float) -> tuple[float, float]:
-    """Return the relative errors of a forward and of a central difference of x at the landing of Figure 3."""
+    """Return the relative errors of a forward and a central difference.
+
+    Of x at the landing of Figure 3.
+    """
     true = float(CASE.simulate().derivatives(["mu_k"]).x.isel(transition=-1).sel(quantity="mu_k"))
     below, here, above = (landing_of(CASE.hoop.mu_k + side * step) for side in (-1, 0, 1))
     return abs((above - here) / step / true - 1.0), abs((above - below) / (2.0 * step) / true - 1.0)

@@ -9,12 +9,15 @@ from .contact import Contact
 from .roots import zero
 
 STEPS = 720
-"""Parts of a turn in which minima are looked for; levels are quotients of trigonometric polynomials of degree three."""
+"""Parts of a turn in which minima are looked for; levels are quotients of trigonometric polynomials
+of degree three."""
 
 
 @dataclass(frozen=True)
 class Margin:
-    """The margin (μN − F) D² = a − K b of rolling with the orbit constant K; the other side is its mirror image.
+    """The margin (μN − F) D² = a − K b of rolling with the orbit constant K.
+
+    The other side is its mirror image.
 
     Parameters
     ----------
@@ -106,7 +109,10 @@ class Grazing:
 
 
 def grazing_orbits(contact: Contact, mu: float, mu_k: float | None = None) -> list[Grazing]:
-    """Return the orbits that touch μN with θ′ ≠ 0, the lowest first; slides have the coefficient μk, by default μ."""
+    """Return the orbits that touch μN with θ′ ≠ 0, the lowest first.
+
+    Slides have the coefficient μk, by default μ.
+    """
     margin = Margin(contact, mu)
     mean = contact.inertia + contact.m * (1.0 + contact.h**2)
     angles = [2.0 * math.pi * k / STEPS for k in range(STEPS + 1)]

@@ -1,4 +1,7 @@
-"""Hoops of the studies: thin ones with the particle on the rim, and random ones for claims about every hoop."""
+"""Hoops of the studies: thin ones with the particle on the rim, and random ones.
+
+The random ones are for claims about every hoop.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,10 @@ DEGREE = math.pi / 180.0
 def thin_hoop(
     h: float, *, mu_k: float, mu_s: float | None = None, restitution: float | None = None
 ) -> lw.Hoop:
-    """Return the thin hoop with a particle on its rim whose mass centre is at the distance h; μs = μk if not given."""
+    """Return the thin hoop with a particle on its rim whose mass centre is at the distance h.
+
+    μs = μk if not given.
+    """
     ratio = 1.0 / h - 1.0
     return lw.Hoop(
         mass_ratio=ratio,

@@ -36,7 +36,10 @@ def bottom_rate(hoop: lw.Hoop, energy: float) -> float:
 
 
 def counted(hoop: lw.Hoop, energy: float) -> int:
-    """Return the number of slips of a motion from the bottom that rolls and slips in turn, and rolls in the end."""
+    """Return the number of slips of a motion that rolls and slips in turn.
+
+    It starts at the bottom, and rolls in the end.
+    """
     result = lw.simulate_many(
         hoop,
         theta=math.pi,
@@ -82,7 +85,10 @@ START = 0.05
 
 
 def scaled(hoop: lw.Hoop, x: float) -> tuple[float, float]:
-    """Return the scaled distance of the energy at a slip, x or a little less, and what it takes off, scaled."""
+    """Return the scaled distance of the energy at a slip, and what it takes off, scaled.
+
+    The distance is x or a little less.
+    """
     gap = hoop.mu_s - hoop.mu_k
     orbit = grazing_orbits(Contact.of(hoop), hoop.mu_s, hoop.mu_k)[0]
     unit = gap * orbit.normal / (2.0 * orbit.rise)
@@ -133,7 +139,9 @@ def scaled_loss(x: float) -> float:
 
 @cache
 def last_slips(seed: int, count: int, lightest: float) -> tuple[lw.Trajectory, ...]:
-    """Return the motions of random hoops with μs = μk and the particle on the rim that roll, slip once, and roll on.
+    """Return the motions of random hoops that roll, slip once, and roll on.
+
+    μs = μk, and the particle is on the rim.
 
     I_zz/(m1 R²) is drawn from `lightest` to 1, that of thin hoops, by its logarithm.
     """

@@ -25,11 +25,13 @@ from .study import Study
 Array = npt.NDArray[np.float64]
 
 COMSOL = 0.75
-"""Part of the total mass that is in the particle, in the example "Dynamics of a Hopping Hoop" of COMSOL, with μ = 1."""
+"""Part of the total mass that is in the particle, in the example "Dynamics of a Hopping Hoop" of
+COMSOL, with μ = 1."""
 
 
 SHALLOW = 0.15
-"""Least λ of the sample. Below it w, which falls as ξ^λ, is not near zero at the least distance of a double."""
+"""Least λ of the sample. Below it w, which falls as ξ^λ, is not near zero at the least distance of
+a double."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +51,7 @@ class Body:
 
     @classmethod
     def rim(cls, gamma: float) -> Body:
-        """Return the thin hoop with a particle on its rim that has the part `gamma` of the total mass."""
+        """Return the thin hoop whose particle, on its rim, has the part `gamma` of the mass."""
         return cls(gamma, 1.0 - gamma**2)
 
     @classmethod
@@ -58,7 +60,10 @@ class Body:
         return cls(hoop.h, hoop.inertia_about_mass_centre / hoop.mass)
 
     def friction_at(self, cosine: float) -> float:
-        """Return the coefficient of friction at which P vanishes at an angle with this cosine, σ = +1 and s > 0."""
+        """Return the friction at which P vanishes at an angle of this cosine.
+
+        σ = +1 and s > 0.
+        """
         s2 = (1.0 - cosine) * (1.0 + cosine)
         return (self.k2 + self.h**2 * s2) / (self.h * math.sqrt(s2) * (1.0 + self.h * cosine))
 
@@ -73,7 +78,10 @@ class Body:
 
     @property
     def least(self) -> float:
-        """Cosine of the angle at which P first vanishes as friction grows: the only zero of `growth` on (0, 1)."""
+        """Cosine of the angle at which P first vanishes as friction grows.
+
+        The only zero of `growth` on (0, 1).
+        """
         return zero(self.growth, 0.0, 1.0)
 
     @property
@@ -101,7 +109,10 @@ class Body:
         return self.h + self.k2 / self.h
 
     def angle(self, mu: float) -> float:
-        """Return the angle between 0 and 90° at which P vanishes and grows, for a friction between the bounds."""
+        """Return the angle in (0, 90°) at which P vanishes and grows.
+
+        For a friction between the bounds.
+        """
         return math.acos(zero(lambda cosine: self.friction_at(cosine) - mu, 0.0, self.least))
 
     def friction_of(self, exponent: float) -> float:
@@ -113,7 +124,9 @@ class Body:
 
 @dataclass(frozen=True)
 class Slides:
-    """Many slides with σ = +1 towards their P = 0, by the linear equation in ln ξ; ξ is the distance from there.
+    """Many slides with σ = +1 towards their P = 0, by the linear equation in ln ξ.
+
+    ξ is the distance from there.
 
     Parameters
     ----------
@@ -142,7 +155,10 @@ class Slides:
         return result
 
     def path(self, start: Array, end: Array, u: Array, steps: int = 600) -> tuple[Array, Array]:
-        """Return ξ and u from `start` to `end`, one row for each of the equal steps in ln ξ (Runge–Kutta)."""
+        """Return ξ and u from `start` to `end`, a row for each of equal steps in ln ξ.
+
+        By Runge–Kutta.
+        """
         log, step = np.log(start), (np.log(end) - np.log(start)) / steps
         logs, values = [log], [u]
         for _ in range(steps):
@@ -368,7 +384,10 @@ def trials(seed: int, count: int) -> list[Trial]:
 
 
 def spent(slides: Slides, xi: Array, u: Array) -> tuple[Array, npt.NDArray[np.int64]]:
-    """Return the slip that a slide needs on its way to P = 0 or to its lift-off, and the step at which it is there."""
+    """Return the slip that a slide needs on its way to P = 0 or to its lift-off.
+
+    And the step at which it is there.
+    """
     s, c = np.sin(slides.theta + xi), np.cos(slides.theta + xi)
     w = 1.0 - slides.h * c * u
     first = np.where((w <= 0.0).any(axis=0), (w <= 0.0).argmax(axis=0), len(xi) - 1)
@@ -416,7 +435,10 @@ def after_jam(body: Body, cosine: float, rate: float, slip: float) -> tuple[floa
 
 
 def thrown() -> str:
-    """How many of the jams of the sample throw the hoop off the plane, and how far θ′ is from the closed form."""
+    """How many of the jams of the sample throw the hoop off the plane.
+
+    And how far θ′ is from the closed form.
+    """
     worst, flights, jams = 0.0, 0, 0
     for trial, found in sample():
         if found != "jam":
@@ -432,18 +454,25 @@ def thrown() -> str:
         jams += 1
         flights += jam.to_mode == "flight"
         worst = max(worst, abs(jam.after.theta_rate / rate - 1.0))
-    return f"{flights} of {jams} jams of the sample are followed by a flight, and θ′ differs by {worst:.0e} at most"
+    return (
+        f"{flights} of {jams} jams of the sample are followed by a flight, and θ′ differs by "
+        f"{worst:.0e} at most"
+    )
 
 
 SPENT = (
     lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=1e-3, mu_s=0.5, mu_k=0.5, restitution=0.0),
     (1.2, -0.9, 0.5),
 )
-"""A slide, θ, θ′ and η′, that still slips where doubles do not resolve its distance from P = 0, and does not jam."""
+"""A slide, θ, θ′ and η′, that still slips where doubles do not resolve its distance from P = 0, and
+does not jam."""
 
 
 def slip_left(hoop: lw.Hoop, start: tuple[float, float, float], time: float) -> float:
-    """Return η′ that the first integral leaves at P = 0 and θ′ = −1/√(h cos θ), from θ, θ′ and η′ before that time."""
+    """Return η′ that the first integral leaves at P = 0 and θ′ = −1/√(h cos θ).
+
+    From θ, θ′ and η′ before that time.
+    """
     body, mu = Body.of(hoop), hoop.mu_k
     theta, rate, slip = start
     cosine = math.cos(body.angle(mu))
@@ -470,7 +499,10 @@ def seeming() -> str:
 
 
 def zone(body: Body, mu: float) -> float:
-    """Return the distance from P = 0 at which the boundary has its turning point; infinite if beyond the bottom."""
+    """Return the distance from P = 0 at which the boundary turns.
+
+    Infinite if beyond the bottom.
+    """
     theta = body.angle(mu)
     xi, level = one_slide(body, mu, theta).boundary(np.array([math.pi - theta]))
     below = np.flatnonzero(level[:, 0] <= 0.0)
@@ -532,14 +564,18 @@ def comsol_motions() -> str:
             landings += len(hits)
             impacts += hits.count("jams")
     return (
-        f"{2 * len(rates)} motions, half of them with e = 0 and half with e = 0.5, jam {slides} times out of a slide; "
+        f"{2 * len(rates)} motions, half of them with e = 0 and half with e = 0.5, jam {slides} "
+        "times out of a slide; "
         f"of their {landings} impacts {impacts} are at an angle with P ≤ 0 and a slip towards it"
     )
 
 
 @cache
 def rolling(seed: int, count: int) -> tuple[int, int, int, int]:
-    """Return how many of random starts without slip jam: general hoops and rim hoops, each with its number."""
+    """Return how many of random starts without slip jam.
+
+    Of general hoops and of rim hoops, each with its number.
+    """
     random = np.random.default_rng(seed)
     numbers = []
     for rim in (False, True):
@@ -572,14 +608,17 @@ def rolling_starts() -> str:
     """How many of random starts without slip jam."""
     general, of_general, rim, of_rim = rolling(3, 12_000)
     return (
-        f"{general} of {of_general} such starts of hoops of all kinds jam, and {rim} of {of_rim} of thin hoops with "
+        f"{general} of {of_general} such starts of hoops of all kinds jam, and {rim} of {of_rim} "
+        "of thin hoops with "
         "the particle on the rim"
     )
 
 
 @cache
 def shares(seed: int, count: int) -> tuple[tuple[float, float], ...]:
-    """Return, for rim hoops that can jam, what a start at s < 0 has at most of the rate it needs, and the bound of it.
+    """Return, for rim hoops that can jam, the largest part of the needed rate, and its bound.
+
+    Starts are at s < 0.
 
     The slide that is smooth at P = 0 is above all that jam; hoops are left out in which it does not
     come past the bottom.
@@ -611,7 +650,8 @@ def near() -> str:
     found = shares(7, 400)
     most, bound = max(found)
     return (
-        f"{len(found)} random rim hoops whose slides come from beyond the bottom, the largest part is {most:.3f}, "
+        f"{len(found)} random rim hoops whose slides come from beyond the bottom, the largest part "
+        f"is {most:.3f}, "
         f"where the bound is {bound:.4f}"
     )
 
@@ -648,7 +688,10 @@ def approach_picture() -> Figure:
 
 
 def turned(body: Body, mu: float, theta: float, xi: Array) -> Array:
-    """Return the level below which slides turn back before P = 0, because u has a minimum where q = 0."""
+    """Return the level below which slides turn back before P = 0.
+
+    There u has a minimum where q = 0.
+    """
     ratio = mu / (body.h * math.hypot(1.0, mu))
     result = np.zeros_like(xi)
     if ratio < 1.0:

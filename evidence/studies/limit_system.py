@@ -1,4 +1,7 @@
-"""The limit of light hoops: rolling, gliding, the loss of slip in a set of states, and the bounce of the particle."""
+"""The limit of light hoops: rolling, gliding, the loss of slip, and the bounce of the particle.
+
+Slip is lost in a set of states.
+"""
 
 from __future__ import annotations
 
@@ -59,7 +62,10 @@ def rolling(start: State) -> Callable[[float], State]:
 
 
 def gliding(side: float, height: float, rise: float, drift: float) -> Callable[[float], State]:
-    """Return the free fall of the particle at cos θ = `height` − 1 on a side, sign s, with the velocity V = `drift`."""
+    """Return the free fall of the particle with the velocity V = `drift`.
+
+    It is at cos θ = `height` − 1 on a side, sign s.
+    """
 
     def at(time: float) -> State:
         b = min(max(height + rise * time - 0.5 * time * time, 0.0), 2.0)
@@ -71,7 +77,10 @@ def gliding(side: float, height: float, rise: float, drift: float) -> Callable[[
 
 
 def first_event(events: dict[str, Callable[[float], float]], length: float) -> tuple[str, float]:
-    """Return the first event, a function that becomes negative, and its time; "time" if there is none."""
+    """Return the first event, a function that becomes negative, and its time.
+
+    It is "time" if there is none.
+    """
     before = 0.0
     for k in range(1, STEPS + 1):
         # Events next to the start of a glide without slip are in its first steps.
@@ -90,7 +99,10 @@ def first_event(events: dict[str, Callable[[float], float]], length: float) -> t
 
 @dataclass(frozen=True)
 class LimitSystem:
-    """Light hoops with the particle on the rim, without rebound of the rim, as their inertia vanishes."""
+    """Light hoops with the particle on the rim, as their inertia vanishes.
+
+    The rim does not rebound.
+    """
 
     mu_s: float
     mu_k: float

@@ -1,4 +1,6 @@
-"""`python -m evidence.studies.longest_turns FAMILY SEED TURNS`: a search for turns with many slides, a line of CSV.
+"""`python -m evidence.studies.longest_turns FAMILY SEED TURNS`: turns with many slides.
+
+The search prints a line of CSV.
 
 It draws starts, and moves those with the most slides by random steps of all sizes. FAMILY is
 `shift` or `rim`. docs/studies/sequences/longest.csv has the lines of the seeds 1 to 8 with

@@ -1,4 +1,7 @@
-"""Where the massless hoop comes from: motions of light hoops against the rolling and gliding of the paper."""
+"""Where the massless hoop comes from.
+
+Motions of light hoops against the rolling and gliding of the paper.
+"""
 
 from __future__ import annotations
 
@@ -134,7 +137,10 @@ def log_law() -> str:
 
 
 def friction_at_bottom(family: str, mu: float) -> float:
-    """Return (θ′ √Î − v)/√Î at the bottom of Figure 7, as Î → 0; there the slip is to the left and θ′ > 0."""
+    """Return (θ′ √Î − v)/√Î at the bottom of Figure 7, as Î → 0.
+
+    There the slip is to the left and θ′ > 0.
+    """
     return (2.0 if FAMILIES[family] else 1.0) * mu * math.pi * SPEED / 8.0
 
 
@@ -196,7 +202,10 @@ def equal() -> list[str]:
 
 
 def starts(seed: int, count: int) -> list[tuple[float, float, float, float]]:
-    """Return starts μ, θ, θ′, η′ at which gliding is no limit and the plane presses: σ s > 0, tan|θ/2| < μk."""
+    """Return starts μ, θ, θ′, η′ at which gliding is no limit and the plane presses.
+
+    σ s > 0, tan|θ/2| < μk.
+    """
     random = np.random.default_rng(seed)
     found: list[tuple[float, float, float, float]] = []
     while len(found) < count:
@@ -220,7 +229,10 @@ def after(theta: float, rate: float, slip: float) -> str:
 def jams(
     seed: int = 4, count: int = 2000, size: float = 1e-6
 ) -> list[tuple[str, str, float, float]]:
-    """Return what is expected to follow and what does, and the errors of θ′ and of the energy lost, over Î."""
+    """Return what is expected to follow and what does, and errors over Î.
+
+    They are those of θ′ and of the energy lost.
+    """
     result = []
     for mu, theta, rate, slip in starts(seed, count):
         hoop = light(size, "no mass, only inertia", mu, mu, 0.0)
@@ -262,7 +274,7 @@ def jam_errors() -> str:
 
 @dataclass(frozen=True)
 class Comparison:
-    """A start of the limit system, the order of the difference that the theorem gives, and the measured one."""
+    """A start of the limit system, the theorem's order of the difference, and the measured one."""
 
     power: float
     measured: float
@@ -298,7 +310,10 @@ def difference(hoop: lw.Hoop, start: State, time: float, limit: State) -> float:
 
 @cache
 def comparisons(seed: int, count: int) -> tuple[Comparison, ...]:
-    """Return random motions of the limit system, with up to six events, against light hoops of 1e-5 and 1e-7."""
+    """Return random motions of the limit system against light hoops of 1e-5 and 1e-7.
+
+    They have up to six events.
+    """
     random = np.random.default_rng(seed)
     result: list[Comparison] = []
     while len(result) < count:
@@ -336,7 +351,8 @@ def orders() -> str:
             f"{len(measured)} of the order {name} have {middle:.2f} ({low:.2f} to {high:.2f})"
         )
     return (
-        f"{len(found)} random motions with up to six events the power of Î with which the difference falls from "
+        f"{len(found)} random motions with up to six events the power of Î with which the "
+        "difference falls from "
         f"I_zz = 1e-5 to 1e-7 is the following, median and middle four fifths: {'; '.join(words)}"
     )
 
@@ -379,7 +395,8 @@ def stopped() -> str:
     ]
     numbers = ", ".join(f"{one:.4f}" for one in seen)
     return (
-        f"for v = {bounce_speed()[0]:.4f}, μs = 0.72 and μk = 0.6 it is {stopped_law(0.72, 0.6):.4f} Î^⅓, "
+        f"for v = {bounce_speed()[0]:.4f}, μs = 0.72 and μk = 0.6 it is "
+        f"{stopped_law(0.72, 0.6):.4f} Î^⅓, "
         f"and simulated {numbers} with Î = 1e-4, 1e-6, 1e-8"
     )
 

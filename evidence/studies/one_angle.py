@@ -22,7 +22,10 @@ from .study import Study
 
 
 def rise(angle: float, turned: float) -> float:
-    """Return the gap over h after a lift-off at θ0 = −angle, when the hoop has turned by an angle."""
+    """Return the gap over h when the hoop has turned by an angle.
+
+    It lifted off at θ0 = −angle.
+    """
     # C = cos φ − 1 + φ²/2 and S = φ − sin φ without the cancellation of small angles.
     if turned < 0.5:
         powers = [(-1) ** k * turned ** (4 + 2 * k) / math.factorial(4 + 2 * k) for k in range(9)]
@@ -35,7 +38,10 @@ def rise(angle: float, turned: float) -> float:
 
 @cache
 def turned_in_air(angle: float) -> float:
-    """Return the angle by which a hoop turns in the air, after a lift-off `angle` before the top."""
+    """Return the angle by which a hoop turns in the air.
+
+    It lifted off `angle` before the top.
+    """
     # C/S < φ/2, so that the landing is behind 2 tan, and C/S > φ/2 − 2/φ − 1 puts an end behind it.
     return zero(
         lambda turned: rise(angle, turned), 2.0 * angle, 2.0 * math.tan(angle) + 2.0 * math.pi
@@ -78,7 +84,10 @@ class Bounce:
     psi: float = 0.0
 
     def second(self, angle: float) -> float | None:
-        """Return the angle of the second hop, if the slip lasts through the impact; None where the first grazes."""
+        """Return the angle of the second hop, if the slip lasts through the impact.
+
+        None where the first grazes.
+        """
         turned = turned_in_air(angle)
         landing = turned - angle
         rate = -self._fall(angle, turned)
@@ -92,7 +101,10 @@ class Bounce:
 
     @staticmethod
     def _fall(angle: float, turned: float) -> float:
-        """Return the rate of the gap at the landing over h θ0′: the derivative of `rise` by the angle."""
+        """Return the rate of the gap at the landing over h θ0′.
+
+        It is the derivative of `rise` by the angle.
+        """
         return math.sin(angle) * (1.0 - math.cos(turned)) - math.cos(angle) * (
             turned - math.sin(turned)
         )
@@ -181,7 +193,7 @@ def laws() -> list[str]:
 
 
 def whole_turns(number: int) -> float:
-    """Return the angle of lift-off before the top after which a hoop turns so many times in the air."""
+    """Return the angle of lift-off before the top for so many turns in the air."""
     return math.atan(number * math.pi)
 
 
@@ -200,7 +212,10 @@ def steep() -> str:
 
 @cache
 def sample() -> list[tuple[float, float]]:
-    """Return angles of lift-off and of the turn in the air of random hoops, as the library simulates them."""
+    """Return angles of lift-off and of the turn in the air of random hoops.
+
+    The library simulates them.
+    """
     found = []
     for _, motion, place in jumps_of(2026, 3000):
         phase = motion.phases[place]
@@ -215,12 +230,18 @@ def agreement() -> str:
     worst = max(
         abs(turned / turned_in_air(angle) - 1.0) for angle, turned in sample() if 0.01 < angle < 1.3
     )
-    return f"{len(sample())} of 3000 leave the plane out of a slide; the largest relative difference is {worst:.0e}"
+    return (
+        f"{len(sample())} of 3000 leave the plane out of a slide; the largest relative difference "
+        f"is {worst:.0e}"
+    )
 
 
 @cache
 def second_sample() -> list[tuple[str, float, float]]:
-    """Angles of the second hop of random hoops: case of the impact, angle as simulated, angle by three numbers."""
+    """Angles of the second hop of random hoops.
+
+    Case of the impact, angle as simulated, angle by three numbers.
+    """
     found = []
     for hoop, motion, place in jumps_of(7, 3000, restitution=0.5):
         if place + 1 >= len(motion.phases) or motion.phases[place + 1].mode != "flight":

@@ -1,4 +1,7 @@
-"""Pages with computed places: text between a mark `<!-- label -->` and its end `<!-- /label -->`."""
+"""Pages with computed places.
+
+Each is a text between a mark `<!-- label -->` and its end `<!-- /label -->`.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,8 @@ def put(text: str, label: str, content: list[str] | str) -> str:
     begin, end = f"<!-- {label} -->", f"<!-- /{label} -->"
     if text.count(begin) != 1 or text.count(end) != 1:
         raise ValueError(
-            f"the page has {text.count(begin)} places {begin} and {text.count(end)} ends of it, not one"
+            f"the page has {text.count(begin)} places {begin} and {text.count(end)} ends of it, "
+            "not one"
         )
     before, rest = text.split(begin)
     after = rest.split(end)[1]

@@ -1,4 +1,7 @@
-"""`python -m evidence.studies.paper FOLDER`: what docs/paper/paper.tex takes from the studies, numbers and figures."""
+"""`python -m evidence.studies.paper FOLDER`: what docs/paper/paper.tex takes from the studies.
+
+Numbers and figures.
+"""
 
 from __future__ import annotations
 
@@ -66,7 +69,10 @@ def tabular(study: str, place: str) -> str:
     ]
     lines = [" & ".join(map(escaped, cells)) + r" \\" for cells in (head, *rows)]
     body = "\n".join([lines[0], r"\midrule", *lines[1:]])
-    return f"\\begin{{tabular}}{{{'r' * len(head)}}}\n\\toprule\n{body}\n\\bottomrule\n\\end{{tabular}}"
+    return (
+        f"\\begin{{tabular}}{{{'r' * len(head)}}}\n\\toprule\n{body}\n\\bottomrule\n"
+        f"\\end{{tabular}}"
+    )
 
 
 def main() -> None:

@@ -1,4 +1,7 @@
-"""Pictures of pages: in the look of the project, with the title and the description that their page gives them."""
+"""Pictures of pages, in the look of the project.
+
+They have the title and the description that their page gives them.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""A real film: how far a film of a hoop tells its coefficients, measured on films whose truth is known."""
+"""A real film: how far it tells the coefficients of its hoop.
+
+Measured on films whose truth is known.
+"""
 
 from __future__ import annotations
 
@@ -65,7 +68,10 @@ def coverage() -> list[str]:
 
 
 def by_exposure(long: bool) -> str:
-    """How often 95 % intervals contain the truth in films that are exposed for more or less than half of the time."""
+    """How often 95 % intervals contain the truth if films are exposed for a wrong time.
+
+    For more or less than half of it.
+    """
     rows = [
         row for row in rows_of("videos") if (row["exposure_s_true"] * row["rate"] > 0.5) == long
     ]
@@ -81,7 +87,10 @@ def result() -> str:
 
 
 def beyond(name: str, limit: float) -> str:
-    """In how many films of those that tell a coefficient it is wrong by more than so many standard errors."""
+    """In how many films that tell a coefficient it is wrong.
+
+    By more than so many standard errors.
+    """
     values = pulls(rows_of("videos"), name)
     return f"{sum(abs(value) > limit for value in values)} of {len(values)}"
 
@@ -174,7 +183,8 @@ def harder() -> list[str]:
         tracked = [row for row in rows if row["centre_px"]]
 
         def part(key: str, over: str, rows: list[dict[str, str]] = tracked) -> str:
-            return f"{100.0 * sum(float(row[key]) for row in rows) / sum(float(row[over]) for row in rows):.0f} %"
+            share = sum(float(row[key]) for row in rows) / sum(float(row[over]) for row in rows)
+            return f"{100.0 * share:.0f} %"
 
         cells = [hard.words]
         if tracked:

@@ -28,7 +28,8 @@ GAMMAS = tuple(round(0.05 * k, 2) for k in range(2, 16))
 """Planes. In the last the particle is on the rim."""
 
 PARTS = tuple((k + 0.5) / 32 for k in range(32))
-"""Lines of a plane: θ′ at the top as a part of 1/√γ, above which the hoop leaves the ground at once."""
+"""Lines of a plane: θ′ at the top as a part of 1/√γ, above which the hoop leaves the ground at
+once."""
 
 SCAN = 30
 """Values of the friction on a line, between which boundaries are looked for."""
@@ -54,7 +55,10 @@ def kinds_text() -> str:
 
 @cache
 def listed_starts() -> dict[str, tuple[float, float, float]]:
-    """Return γ, the part and the middle of the widest interval of μ of each sequence with its stop on the lines."""
+    """Return the widest interval of μ of each sequence with its stop on the lines.
+
+    By γ, the part and the middle.
+    """
     grid = family()
     widest: dict[str, tuple[float, tuple[float, float, float]]] = {}
     for (gamma, part), line in grid.lines.items():
@@ -127,7 +131,10 @@ RIM = Region((0.1, 0.97), (0.0, 1.0), (LEAST, MOST), 50_000, rim=True)
 
 @cache
 def searched(region: Region, seed: int) -> dict[str, tuple[float, float, float]]:
-    """Return the sequences of random starts of a region, each with γ, the part and μ of its start of the largest μ."""
+    """Return the sequences of random starts of a region.
+
+    Each has γ, the part and μ of its start of the largest μ.
+    """
     random = np.random.default_rng(seed)
     gamma, part = (
         random.uniform(*region.gamma, region.count),
@@ -187,7 +194,8 @@ def corner_text() -> str:
 
 
 UNFOUND = (0.249967916028383, 0.007794611384076971, 0.7063085869522819)
-"""γ, μ and θ′√γ of a start in the corner, from another search, with a sequence that neither of the two has."""
+"""γ, μ and θ′√γ of a start in the corner, from another search, with a sequence that neither of the
+two has."""
 
 
 def unfound() -> Turn:
@@ -208,7 +216,10 @@ def rim_text() -> str:
 
 
 def most_slides() -> tuple[int, int]:
-    """Return the largest number of slides of all starts of the searches, and their phases at most."""
+    """Return the largest number of slides of all starts of the searches.
+
+    And their phases at most.
+    """
     every = {*listed_starts(), *drawn()[1], *Recapture.of(CORNER).found, *Recapture.of(RIM).found}
     return max(map(slides_of, every)), max(len(name.split()[0]) for name in every)
 

@@ -1,4 +1,7 @@
-"""Does it slip before it jumps on a ramp? Lift-off out of rolling, the slip before others, and the highest climb."""
+"""Whether the hoop slips before it jumps on a ramp.
+
+Lift-off out of rolling, the slip before others, and the highest climb.
+"""
 
 from __future__ import annotations
 
@@ -79,7 +82,10 @@ class Body:
         return (self.kappa + arm * arm) / (arm * (1.0 + self.h * math.cos(slope)))
 
     def releases(self, slope: float) -> list[float]:
-        """The ψ at which the hoop released from rest is on that orbit, downhill; the last few turns."""
+        """The ψ at which the hoop released from rest is on that orbit, downhill.
+
+        In the last few turns.
+        """
 
         def excess(psi: float) -> float:
             return float(self.potential(psi, slope)) - self.level(slope)
@@ -93,7 +99,10 @@ class Body:
         ]
 
     def slip_law(self, slope: float, mu: float, delta: float) -> float:
-        """Slip before the jump of an orbit whose D u is greater by a small m δ, to leading order δ³ (μs = μk = μ)."""
+        """Slip before the jump of an orbit whose D u is greater by a small m δ.
+
+        To leading order δ³ (μs = μk = μ).
+        """
         s, c, h = math.sin(slope), math.cos(slope), self.h
         d, lever = float(self.denominator(slope)), 1.0 + h * c
         # N and F of rolling and w as constant + slope φ, φ = θ + α.
@@ -140,7 +149,10 @@ def on(hoop: lw.Hoop, slope: float, mu: float | None = None) -> lw.Hoop:
 
 
 class Jump(NamedTuple):
-    """The last slide before a jump: its slip, its time, ψ at the lift-off, and whether the hoop slipped before, too."""
+    """The last slide before a jump: its slip, its time, ψ at the lift-off.
+
+    And whether the hoop slipped before, too.
+    """
 
     slip: float
     time: float
@@ -237,7 +249,10 @@ def critical() -> str:
 
 
 def beside(hoop: lw.Hoop, delta: float) -> float:
-    """Return the slip before the jump of an orbit with D u greater by m δ, from a place before its end."""
+    """Return the slip before the jump of an orbit with D u greater by m δ.
+
+    From a place before its end.
+    """
     body, slope = Body.of(hoop), hoop.slope
     psi = -0.15
     kinetic = body.level(slope) - float(body.potential(psi, slope))
@@ -252,7 +267,10 @@ def beside(hoop: lw.Hoop, delta: float) -> float:
 
 
 def climb(turn: float) -> float:
-    """Return Φ, the height over h R that a hoop climbs from its unstable equilibrium, when it turns by an angle."""
+    """Return Φ, the height over h R that a hoop climbs.
+
+    From its unstable equilibrium, when it turns by an angle.
+    """
     half = 0.5 * turn
     s = math.sin(half)
     return 2.0 * half * s * s / math.sqrt(half * half - half * math.sin(turn) + s * s)
@@ -288,7 +306,10 @@ class Climb(NamedTuple):
 
 
 def friction_for(body: Body, slopes: Array, count: int) -> tuple[Array, Array, Array]:
-    """Return ψ of each release on each slope, the height gained, and the friction that rolling needs on the way."""
+    """Return ψ of each release on each slope, the height gained, and the friction needed.
+
+    Rolling needs it on the way.
+    """
     sine = np.sin(slopes)[:, None]
     turned = np.arcsin(sine / body.h)
     top, bottom = 2.0 * math.pi - turned, math.pi + turned
@@ -318,7 +339,10 @@ FRICTIONS = (0.3, 0.5, 0.8, 1.2)
 
 @cache
 def climbs() -> dict[float, list[Climb]]:
-    """Return, for each friction, the highest climbs of thin rim hoops without slip over h, on a grid."""
+    """Return the highest climbs of thin rim hoops without slip over h, on a grid.
+
+    One for each friction.
+    """
     found: dict[float, list[Climb]] = {mu: [] for mu in FRICTIONS}
     slopes = np.linspace(0.01, 1.25, 125)
     for h in map(float, np.linspace(0.04, 0.98, 48)):
@@ -335,7 +359,8 @@ def best_numbers() -> str:
     """The optimum of the theorem."""
     turn = best_turn()
     return (
-        f"$\\chi = {turn / DEGREE:.2f}°$, $\\sin\\alpha = {slope_of(turn):.4f}\\,h$, and the height is "
+        f"$\\chi = {turn / DEGREE:.2f}°$, $\\sin\\alpha = {slope_of(turn):.4f}\\,h$, and the "
+        "height is "
         f"${climb(turn):.4f}\\,hR$"
     )
 

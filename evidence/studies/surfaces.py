@@ -1,4 +1,7 @@
-"""Surfaces in the space of γ, μ and θ′: boundaries of neighbouring lines that a line halfway between has, too."""
+"""Surfaces in the space of γ, μ and θ′.
+
+Boundaries of neighbouring lines that a line halfway between has, too.
+"""
 
 from __future__ import annotations
 
@@ -13,19 +16,21 @@ import numpy as np
 from .boundaries import Boundary, Line, boundaries, points_between
 
 WIDTHS = (1e-3, 0.01, 0.05, 0.2)
-"""Half widths of the intervals in which a boundary is looked for halfway, as parts of the friction."""
+"""Half widths of the intervals in which a boundary is looked for halfway, as parts of the
+friction."""
 
 TOLERANCE = 1e-5
 """Part of the friction to which it is told there."""
 
 MARGIN, SCAN, NARROW = 1.5, 12, 1e-8
-"""Where no such interval has just the two sequences: how far beyond both frictions the line halfway is scanned, in how
+"""Where no such interval has just the two sequences: how far beyond both frictions the line halfway
+is scanned, in how
 many values, and to which part of the friction."""
 
 
 @dataclass(frozen=True)
 class Link:
-    """Two boundaries of neighbouring lines with the same sequences, and where a line halfway has such a boundary."""
+    """Two boundaries of neighbouring lines with the same sequences, and that of a line halfway."""
 
     start: int
     end: int
@@ -75,7 +80,10 @@ class Grid:
         return self._continued(pairs)
 
     def _aligned(self, one: list[int], other: list[int]) -> list[tuple[int, int]]:
-        """Return the most boundaries that two lines have in the same order: they may be continued into each other."""
+        """Return the most boundaries that two lines have in the same order.
+
+        They may be continued into each other.
+        """
         most = np.zeros((len(one) + 1, len(other) + 1), dtype=int)
         same = [[self.found[i].sides == self.found[j].sides for j in other] for i in one]
         for i in range(len(one) - 1, -1, -1):
@@ -118,7 +126,10 @@ class Grid:
         ]
 
     def curves(self, gamma: float) -> list[tuple[list[int], list[tuple[float, float]]]]:
-        """Return the curves of a plane: places of boundaries and the points (part, μ) through them and halfway."""
+        """Return the curves of a plane: places of boundaries and the points through them.
+
+        Points (part, μ) halfway, too.
+        """
         onwards = {link.start: link for link in self.links if self._in_plane(link, gamma)}
         begun = {link.end for link in onwards.values()}
         curves = []

@@ -1,4 +1,7 @@
-"""What a telephone resolves: gaps after a lift-off, heights of jumps, bounces, and errors of coefficients."""
+"""What a telephone resolves.
+
+Gaps after a lift-off, heights of jumps, bounces, and errors of coefficients.
+"""
 
 from __future__ import annotations
 
@@ -183,7 +186,10 @@ def shutter() -> str:
 
 
 def power() -> str:
-    """With which power of time the gap opens, from its first micrometre to a tenth of a millimetre."""
+    """With which power of time the gap opens.
+
+    From its first micrometre to a tenth of a millimetre.
+    """
     return f"{math.log(1e-1 / 1e-3) / math.log(seconds_until(1e-1) / seconds_until(1e-3)):.1f}"
 
 

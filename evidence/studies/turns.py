@@ -1,4 +1,6 @@
-"""First turns of the hoops of Theron and Maritz, many at once: from the top to a revolution, θ′ = 0 or lift-off.
+"""First turns of the hoops of Theron and Maritz, many at once.
+
+From the top to a revolution, θ′ = 0 or lift-off.
 
 Of their hoops with a mass ratio of 1/3, or, with `rim`, of thin hoops with a particle on the rim.
 """
@@ -26,7 +28,8 @@ INSTANTS = np.linspace(0.0, 1.0, 33)[1:]
 """Instants of a slide at which it is asked whether the turn has stopped, as parts of it."""
 
 SWING = 6.0
-"""A slide that lasts longer is sampled: it may have swung forth and back, and forth again beyond where it began.
+"""A slide that lasts longer is sampled: it may have swung forth and back, and forth again beyond
+where it began.
 
 In a slide u depends on θ alone, so that this takes a whole period, 4.7 at least for the family with
 μ up to 0.3; swings are far from small, and with more friction slides are over sooner.
@@ -92,7 +95,10 @@ def first_turn(
 
 
 def _rolling_stop(energy: float, rest: float) -> str:
-    """Return what stops a turn that rolls on: the energy at rest on the top decides, which is m h."""
+    """Return what stops a turn that rolls on.
+
+    The energy at rest on the top decides, which is m h.
+    """
     return "revolution" if energy > rest else "turns back"
 
 
@@ -132,9 +138,16 @@ def names_of(gamma: Floats, mu: Floats, rate: Floats, *, rim: bool = False) -> T
         if not len(going):
             break
         state = lw.simulate_many(
-            mass_ratio=ratio[going], inertia=ratio[going], offset=offset[going], mu_s=mu[going], mu_k=mu[going],
-            theta=0.0, theta_rate=rate[going], proof="none", max_transitions=count,
-        )  # fmt: skip
+            mass_ratio=ratio[going],
+            inertia=ratio[going],
+            offset=offset[going],
+            mu_s=mu[going],
+            mu_k=mu[going],
+            theta=0.0,
+            theta_rate=rate[going],
+            proof="none",
+            max_transitions=count,
+        )
         words = lw.sequence_names(state["sequence"].to_numpy())
         stops, asked = _stops(words, state, offset[going], theta, time, swing[going])
         for place in np.flatnonzero(asked):
@@ -158,7 +171,9 @@ def slides_of(name: str) -> int:
 def _stops(
     words: Texts, state: xr.Dataset, rest: Floats, theta: Floats, time: Floats, swing: Floats
 ) -> tuple[Texts, npt.NDArray[np.bool_]]:
-    """Return what stops the turns in their last phases, empty where nothing does, and where only samples can tell.
+    """Return what stops the turns in their last phases, and where only samples can tell.
+
+    Empty where nothing does.
 
     A hoop rolls through an angle forwards and backwards with the same friction, so that it slips at
     the first passage; and a slide has one u for an angle. So the ends of a phase tell, but where a

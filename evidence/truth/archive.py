@@ -1,4 +1,6 @@
-"""Builds the archive of the data set: certificates, tables in CSV, README, a Frictionless data package.
+"""Builds the archive of the data set.
+
+Certificates, tables in CSV, README, a Frictionless data package.
 
     python3 archive.py [--out FOLDER] [--parquet]
 
@@ -27,8 +29,10 @@ NAME = f"littlewood-truth-{VERSION}"
 HOME = "https://github.com/littlewood-hoop/littlewood"
 TITLE = "Certified motions of Littlewood's hoop"
 DESCRIPTION = (
-    "Motions of a hoop with a particle on it, on a rough plane: it rolls, slides, lifts off, lands and bounces. "
-    "Time and state of every event, each a midpoint and a radius that provably encloses the true number."
+    "Motions of a hoop with a particle on it, on a rough plane: "
+    "it rolls, slides, lifts off, lands and bounces. "
+    "Time and state of every event, "
+    "each a midpoint and a radius that provably encloses the true number."
 )
 CONTRIBUTORS = [{"title": "The littlewood maintainers", "role": "author", "path": HOME}]
 
@@ -104,7 +108,8 @@ SI_HOOP = (
     "inertia_kg_m2",
     "gravity_m_per_s2",
 )
-"""Numbers of the hoop in SI units; their columns are empty for the others, whose own numbers are empty for these."""
+"""Numbers of the hoop in SI units; their columns are empty for the others, whose own numbers are
+empty for these."""
 
 KEYS = {
     "motions": ["motion"],
@@ -204,7 +209,10 @@ def table(rows: list[Row]) -> bytes:
 
 
 def kind(values: list[Any]) -> str:
-    """Return the type of a field of a data package; the digits of a ball are a text that no double has."""
+    """Return the type of a field of a data package.
+
+    The digits of a ball are a text that no double has.
+    """
     kinds: dict[type, str] = {bool: "boolean", int: "integer", float: "number"}
     found = {kinds.get(type(value), "string") for value in values if value != ""}
     return (
@@ -281,18 +289,23 @@ def readme(tables: dict[str, list[Row]]) -> bytes:
 
 | file | content |
 |---|---|
-| certificates/NAME.json | one motion with all its balls; certificate.schema.json is its JSON schema |
+| certificates/NAME.json | one motion with all its balls; \
+certificate.schema.json is its JSON schema |
 | tables/motions.csv | hoop, start, end of each motion; key: motion |
-| tables/events.csv | time, state and impulses of each event, all digits and radii; key: motion, event |
+| tables/events.csv | time, state and impulses of each event, all digits and radii; \
+key: motion, event |
 | tables/samples.csv | states within the phases as doubles; key: motion, phase, time |
 | datapackage.json | types, units and keys of all columns (Frictionless) |
 | cases.json | the inputs, and those that the benchmark of contact solvers uses |
 | derivatives.json | derivatives of the events of some motions, as balls |
 | families.md | what each family shows |
-| checker.py | `python3 checker.py certificates/*.json` confirms them; it needs Python 3.10 and nothing else |
-| SHA256SUMS | `sha256sum --check SHA256SUMS`: all files, and so names and families, are those of this version |
+| checker.py | `python3 checker.py certificates/*.json` confirms them; \
+it needs Python 3.10 and nothing else |
+| SHA256SUMS | `sha256sum --check SHA256SUMS`: \
+all files, and so names and families, are those of this version |
 
-A ball is a midpoint and a radius, as texts. Inputs are doubles, taken exactly. Where `units` is `dimensionless`,
+A ball is a midpoint and a radius, as texts. Inputs are doubles, taken exactly. Where `units` is \
+`dimensionless`,
 the mass of the particle, the radius of the hoop and gravity are 1.
 
 Licence: CC0 1.0 (LICENSE). Please cite it by CITATION.cff. Source: {HOME}

@@ -1,4 +1,6 @@
-"""Chooses the cases of the data set, with a fixed seed, and adds those that littlewood.scoring does not have yet.
+"""Chooses the cases of the data set, with a fixed seed.
+
+It adds those that littlewood.scoring does not have yet.
 
     python3 choose.py
 
@@ -247,7 +249,10 @@ def near_ties() -> Iterator[Draw]:
 
 
 def periodic() -> Iterator[Draw]:
-    """Restitution 1: the energy stays but for friction, and the bounces up to the time limit are all there are."""
+    """Restitution 1: the energy stays but for friction.
+
+    The bounces up to the time limit are all there are.
+    """
 
     def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
         hoop = hoops(rng) | dict(
@@ -259,7 +264,10 @@ def periodic() -> Iterator[Draw]:
 
 
 def elastic_settling() -> Iterator[Draw]:
-    """Restitution 1 and bounces that settle all the same, as the contact sticks in each: friction takes the energy."""
+    """Restitution 1 and bounces that settle all the same.
+
+    The contact sticks in each: friction takes the energy.
+    """
     names = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k")
     for number, (law, numbers, start, until) in enumerate(
         [
@@ -496,13 +504,30 @@ def lands(motion: Any) -> bool:
 
 
 FAMILIES = (
-    paper, slide_roll_slip, lift_off, landing, settlement, jam, reversals, near_ties, periodic, elastic_settling,
-    long_rolling, thrown, unloaded, massless, si, ramps,
-)  # fmt: skip
+    paper,
+    slide_roll_slip,
+    lift_off,
+    landing,
+    settlement,
+    jam,
+    reversals,
+    near_ties,
+    periodic,
+    elastic_settling,
+    long_rolling,
+    thrown,
+    unloaded,
+    massless,
+    si,
+    ramps,
+)
 
 
 def main() -> None:
-    """Write the list; a case that is there stays, as that of a near tie depends on the last bits of the library."""
+    """Write the list.
+
+    A case that is there stays, as that of a near tie depends on the last bits of the library.
+    """
     path = HERE.parents[1] / "python" / "littlewood" / "scoring" / "cases.json"
     text = path.read_text(encoding="utf-8")
     listed = json.loads(text)["cases"]

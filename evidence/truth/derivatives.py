@@ -181,8 +181,14 @@ def series(rates: Callable[[Vector], Vector], at: Vector, order: int) -> Vector:
         now = []
         for row, slope in zip(start, slopes, strict=True):
             parts = [slope.v, *(slope.d or [arb_series([0])] * columns)]
-            now.append([value + of(part).v.integral() if isinstance(part, arb_series) else arb_series([value, part])
-                        for value, part in zip(row, parts, strict=True)])  # fmt: skip
+            now.append(
+                [
+                    value + of(part).v.integral()
+                    if isinstance(part, arb_series)
+                    else arb_series([value, part])
+                    for value, part in zip(row, parts, strict=True)
+                ]
+            )
     return [Number(row[0], row[1:]) for row in now]
 
 
@@ -342,7 +348,7 @@ def is_small(middle: str, radius: str) -> bool:
 def followed(
     body: Body, mode: str, sigma: int, at: Vector, length: Any, delay: list[Any], cause: str
 ) -> tuple[Vector, list[Any]]:
-    """Return the state along the event that ends a phase in contact, and the derivatives of its time."""
+    """Return the state along the event that ends a contact phase, and the time's derivatives."""
     columns, rates = len(delay), field(body, mode, sigma)
     fixed = without_derivatives(body)
     at = moved(at, rates(at), [-one for one in delay])
@@ -381,7 +387,7 @@ def followed(
 def flown(
     body: Body, at: Vector, gap_rate: Number, length: Any, delay: list[Any]
 ) -> tuple[Vector, list[Any], Number]:
-    """Return the state along the landing, the derivatives of its time, and the rate of the gap before it."""
+    """Return the state along the landing, the time's derivatives, and the gap rate before it."""
     theta, rate, slip, x = at
     sin, cos = theta.sin(), theta.cos()
     up = gap_rate - body.h * sin * rate

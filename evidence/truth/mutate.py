@@ -5,10 +5,10 @@
 Of each kind of place in a certificate (a place without the numbers of phases, events and samples)
 one digit, or one name, is changed; and phases, events, impacts, samples and names are deleted,
 merged, split, exchanged, replaced and added, as well as the last bounces before a settlement given
-to it. The digest is made to fit, so that nothing but the checker can tell. Each input is also written
-in other ways that read as the same double. Names are those of files in certificates/, or the
-beginnings of them; without any, the certificate of each family that is checked in the shortest time,
-and four more that settle.
+to it. The digest is made to fit, so that nothing but the checker can tell. Each input is also
+written in other ways that read as the same double. Names are those of files in certificates/, or
+the beginnings of them; without any, the certificate of each family that is checked in the shortest
+time, and four more that settle.
 """
 
 from __future__ import annotations
@@ -34,10 +34,27 @@ from checker import read as parsed  # noqa: E402
 SEED = 20261122
 
 QUICK = (
-    "bounces", "elastic-01", "elastic-settling-09", "jam-13", "landing-18", "leaves-at-once-01", "lift-off-03",
-    "long-rolling-08", "massless-16", "near-tie-10", "paper-02", "ramp-jump-15", "ramp-rolling-16", "ramp-sliding-14",
-    "reversal-chain-17", "settles-sliding-04", "settles-sticking-02", "si-01", "slide-roll-slip-18", "thrown-01",
-)  # fmt: skip
+    "bounces",
+    "elastic-01",
+    "elastic-settling-09",
+    "jam-13",
+    "landing-18",
+    "leaves-at-once-01",
+    "lift-off-03",
+    "long-rolling-08",
+    "massless-16",
+    "near-tie-10",
+    "paper-02",
+    "ramp-jump-15",
+    "ramp-rolling-16",
+    "ramp-sliding-14",
+    "reversal-chain-17",
+    "settles-sliding-04",
+    "settles-sticking-02",
+    "si-01",
+    "slide-roll-slip-18",
+    "thrown-01",
+)
 """Of each family the certificate that is checked in the shortest time."""
 
 SETTLES = ("settles-sliding-02", "settles-sliding-12", "settles-sticking-01", "settles-sticking-04")
@@ -84,7 +101,10 @@ def kind(place: Place) -> str:
 
 
 def changed(certificate: dict[str, Any], place: Place, rng: random.Random) -> dict[str, Any]:
-    """Return a certificate with one digit, or one name, changed at a place, and a digest that fits."""
+    """Return a certificate with one digit, or one name, changed at a place.
+
+    Its digest fits.
+    """
     found = copy.deepcopy(certificate)
     at = found
     for key in place[:-1]:
@@ -239,7 +259,10 @@ def merge(certificate: dict[str, Any], k: int) -> None:
 
 
 def behind_settle(certificate: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Yield certificates in which some of the last bounces before a settlement are part of it, impulses and all."""
+    """Yield certificates whose settlement takes in some of the last bounces before it.
+
+    Impulses and all.
+    """
     for place, event in enumerate(certificate["events"]):
         first = place
         while (
@@ -329,7 +352,8 @@ def main() -> int:
         tried += len(found)
         missed += sum(taken for _, taken in found)
         print(
-            f"{name:24} {len(found)} forgeries, not refused: {[what for what, taken in found if taken]}",
+            f"{name:24} {len(found)} forgeries, not refused: "
+            f"{[what for what, taken in found if taken]}",
             flush=True,
         )
     print(f"{tried} forgeries, {tried - missed} refused, {time.perf_counter() - began:.0f} s")

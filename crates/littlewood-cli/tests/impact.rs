@@ -6,6 +6,7 @@
 )]
 
 use crate::support;
+use crate::support::csv::Csv;
 use crate::support::{FIGURE_3_LANDING, assert_close, json, number, text};
 use serde_json::Value;
 
@@ -484,12 +485,7 @@ fn si_twins_have_the_unit_in_their_names() {
 
 /// The rows of CSV by the names of their columns.
 fn rows(arguments: &[&str]) -> Vec<std::collections::BTreeMap<String, String>> {
-    let text = text(&[arguments, &["--format", "csv"]].concat());
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    reader
-        .deserialize()
-        .map(|row| row.expect("a row"))
-        .collect()
+    Csv::read(&text(&[arguments, &["--format", "csv"]].concat())).rows
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::fs;
 use std::path::Path;
 
+use crate::support::csv::Csv;
 use crate::support::table::Table;
 use crate::support::{
     FIGURE_3_EVENTS, assert_close, complaint, json, littlewood, number, text, tree,
@@ -76,19 +77,13 @@ fn the_classes_that_are_counted_are_a_column() {
     let [csv, png] = ["plane.csv", "plane.svg"].map(|name| path(&folder, name));
     let limits = ["--until", "20", "--restitution", "0.5", "--out", &csv];
     let found = json(&[&["map", "figure-3"], &SMALL[..], &limits].concat());
-    let mut reader = csv::Reader::from_path(&csv).expect("a table");
-    let column = |name: &str, headers: &csv::StringRecord| {
-        headers.iter().position(|it| it == name).expect("a column")
-    };
-    let headers = reader.headers().expect("names").clone();
-    let [class, outcome] = ["class", "outcome"].map(|name| column(name, &headers));
+    let table = Csv::read(&fs::read_to_string(&csv).expect("a text"));
     let mut counts = std::collections::BTreeMap::<String, u64>::new();
     let mut ends = std::collections::BTreeSet::new();
-    for row in reader.records() {
-        let row = row.expect("a row");
-        *counts.entry(row[class].to_owned()).or_default() += 1;
-        if &row[class] == "lifts_off_later" {
-            ends.insert(row[outcome].to_owned());
+    for row in &table.rows {
+        *counts.entry(row["class"].clone()).or_default() += 1;
+        if row["class"] == "lifts_off_later" {
+            ends.insert(row["outcome"].clone());
         }
     }
     assert_eq!(serde_json::json!(counts), found["counts"]);
@@ -735,12 +730,9 @@ fn friction_is_an_axis_of_its_own_and_axes_may_be_logarithmic() {
         ]
         .concat(),
     );
-    let table = fs::read_to_string(&out).expect("a text");
-    let values: Vec<&str> = table
-        .lines()
-        .map(|line| line.split(',').next().unwrap_or_default())
-        .collect();
-    assert_eq!(values, ["mu", "0.01", "0.01", "0.1", "0.1", "1", "1"]);
+    let table = Csv::read(&fs::read_to_string(&out).expect("a text"));
+    assert_eq!(table.columns[0], "mu");
+    assert_eq!(table.column("mu"), ["0.01", "0.01", "0.1", "0.1", "1", "1"]);
     let one = json(&[
         "simulate",
         "figure-3",
@@ -753,14 +745,8 @@ fn friction_is_an_axis_of_its_own_and_axes_may_be_logarithmic() {
         "--until",
         "5",
     ]);
-    let row: Vec<&str> = table.lines().nth(4).expect("a row").split(',').collect();
-    let header: Vec<&str> = table.lines().next().expect("a header").split(',').collect();
-    let end = header
-        .iter()
-        .position(|name| *name == "end_theta")
-        .expect("a column");
     assert_close(
-        row[end].parse().expect("a number"),
+        table.number(3, "end_theta"),
         number(&one["outcome"]["theta"]),
         1e-12,
     );
@@ -826,11 +812,9 @@ fn derivatives_are_columns_and_may_be_shown() {
         &png,
     ];
     text(&[&["map", "figure-3"], &axes[..], &more].concat());
-    let table = fs::read_to_string(&csv).expect("a text");
-    let mut lines = table.lines();
-    let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
+    let table = Csv::read(&fs::read_to_string(&csv).expect("a text"));
     assert_eq!(
-        header[header.len() - 3..],
+        table.columns[table.columns.len() - 3..],
         [
             "jump_length_by_mu_k",
             "end_theta_by_theta_rate",
@@ -838,14 +822,7 @@ fn derivatives_are_columns_and_may_be_shown() {
         ]
     );
     // The last row is the start of Figure 3, whose landing is the last transition.
-    let cells: Vec<&str> = lines.last().expect("a row").split(',').collect();
-    let cell = |name: &str| {
-        let place = header
-            .iter()
-            .position(|other| *other == name)
-            .expect("a column");
-        cells[place].parse::<f64>().expect("a number")
-    };
+    let cell = |name: &str| table.number(table.rows.len() - 1, name);
     let motion = json(&["simulate", "figure-3", "--derivatives", "mu_k,theta_rate"]);
     let landing = &motion["transitions"][3]["derivatives"];
     assert_eq!(cell("end_x_by_mu_k"), number(&landing["mu_k"]["x"]));

@@ -4,6 +4,7 @@ use std::fs;
 
 use tempfile::TempDir;
 
+use crate::support::csv::Csv;
 use crate::support::{FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, text};
 
 /// The starts of Figure 3 and beside it.
@@ -20,19 +21,14 @@ fn written(name: &str) -> String {
 #[test]
 fn csv_has_a_row_for_each_start() {
     let text = written("plane.csv");
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let header: Vec<String> = reader
-        .headers()
-        .expect("a header")
-        .iter()
-        .map(str::to_owned)
-        .collect();
-    let rows: Vec<csv::StringRecord> = reader.records().map(|row| row.expect("a row")).collect();
-    assert_eq!(header[..4], ["theta", "theta_rate", "outcome", "sequence"]);
-    assert_eq!(rows.len(), 6);
-    let place = |name: &str| header.iter().position(|column| column == name).expect(name);
-    let cell = |row: usize, name: &str| &rows[row][place(name)];
-    let real = |row: usize, name: &str| cell(row, name).parse::<f64>().expect("a number");
+    let table = Csv::read(&text);
+    assert_eq!(
+        table.columns[..4],
+        ["theta", "theta_rate", "outcome", "sequence"]
+    );
+    assert_eq!(table.rows.len(), 6);
+    let cell = |row: usize, name: &str| table.rows[row][name].as_str();
+    let real = |row: usize, name: &str| table.number(row, name);
     // θ = π/2, θ′ = 2 is the motion of Figure 3.
     assert_eq!(
         (real(3, "theta"), real(3, "theta_rate")),

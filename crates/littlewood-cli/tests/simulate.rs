@@ -2,6 +2,7 @@
 //! person reads.
 
 use crate::support;
+use crate::support::csv::Csv;
 use crate::support::{
     FIGURE_3, FIGURE_3_EVENTS, FIGURE_3_LANDING, assert_close, complaint, json, littlewood, number,
     text,
@@ -593,10 +594,9 @@ fn a_motion_without_an_end_is_sampled_for_two_periods() {
 #[test]
 fn csv_has_a_row_for_the_start_and_for_each_transition() {
     let text = text(&["simulate", "figure-3", "--format", "csv"]);
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let header: Vec<&str> = reader.headers().unwrap().iter().collect();
+    let table = Csv::read(&text);
     assert_eq!(
-        header,
+        table.columns,
         [
             "time",
             "theta",
@@ -609,14 +609,16 @@ fn csv_has_a_row_for_the_start_and_for_each_transition() {
             "cause"
         ]
     );
-    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    let causes: Vec<&str> = rows.iter().map(|row| &row[8]).collect();
-    assert_eq!(causes, ["start", "stick", "slip", "lift_off", "landing"]);
-    assert_eq!(&rows[0][5], "");
-    assert_eq!(&rows[4][6], "");
-    for (row, expected) in rows[1..].iter().zip(FIGURE_3_EVENTS) {
-        for (field, expected) in row.iter().zip(expected) {
-            assert_close(field.parse().unwrap(), expected, 1e-12);
+    assert_eq!(
+        table.column("cause"),
+        ["start", "stick", "slip", "lift_off", "landing"]
+    );
+    assert_eq!(table.rows[0]["from"], "");
+    assert_eq!(table.rows[4]["to"], "");
+    for (number, expected) in FIGURE_3_EVENTS.into_iter().enumerate() {
+        let names = ["time", "theta", "theta_rate", "slip", "x"];
+        for (name, expected) in names.into_iter().zip(expected) {
+            assert_close(table.number(1 + number, name), expected, 1e-12);
         }
     }
     let last = support::text(&["simulate", "rolls-forever", "--format", "csv"]);
@@ -637,14 +639,10 @@ fn csv_samples_name_the_events() {
     {
         let motion = case.simulate().unwrap();
         let text = text(&["simulate", case.name, "--format", "csv", "--samples", "20"]);
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
-        assert_eq!(reader.headers().unwrap().iter().next_back(), Some("event"));
-        let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-        let events: Vec<&str> = rows
-            .iter()
-            .map(|row| &row[19])
-            .filter(|event| !event.is_empty())
-            .collect();
+        let table = Csv::read(&text);
+        assert_eq!(table.columns.last().unwrap(), "event");
+        let mut events = table.column("event");
+        events.retain(|event| !event.is_empty());
         let causes = motion
             .transitions()
             .iter()
@@ -655,15 +653,10 @@ fn csv_samples_name_the_events() {
             "{}",
             case.name
         );
-        for row in &rows {
-            let numbers = row
-                .iter()
-                .enumerate()
-                .filter(|(index, _)| ![1, 19].contains(index));
+        for (name, field) in table.rows.iter().flatten() {
             assert!(
-                numbers
-                    .map(|(_, field)| field.parse::<f64>())
-                    .all(|number| number.is_ok())
+                ["mode", "event"].contains(&name.as_str()) || field.parse::<f64>().is_ok(),
+                "{name}: {field}"
             );
         }
     }
@@ -815,14 +808,8 @@ fn digits_say_what_the_start_determines() {
     );
 
     let text = text(&["simulate", "figure-3", "--format", "csv", "--digits"]);
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let place = reader
-        .headers()
-        .unwrap()
-        .iter()
-        .position(|name| name == "theta_digits")
-        .unwrap();
-    let column = Vec::from_iter(reader.records().map(|row| row.unwrap()[place].to_owned()));
+    let table = Csv::read(&text);
+    let column = table.column("theta_digits");
     assert_eq!(column[0], "");
     assert!(
         column[1..]

@@ -4,9 +4,10 @@
     npm pack @fontsource/stix-two-math@5.3.0   # unpack it
     python letters.py package/files/stix-two-math-latin-400-normal.woff2
 
-STIX Two Math holds the upright letters, the italic ones of formulas (as mathematical alphanumeric symbols) and the
-script letters of the paper in one drawing. A line is a letter: its face (r upright, i italic), its code, its width and its
-outline as an SVG path, in thousandths of the size, upwards positive. Licence: OFL.txt.
+STIX Two Math holds the upright letters, the italic ones of formulas (as mathematical alphanumeric
+symbols) and the script letters of the paper in one drawing. A line is a letter: its face (r
+upright, i italic), its code, its width and its outline as an SVG path, in thousandths of the size,
+upwards positive. Licence: OFL.txt.
 """
 
 import sys
@@ -20,7 +21,8 @@ GREEK = "αβγδεζηθκλμνξπρϱστφχψωΓΔΘΛΣΦΨΩ"
 SYMBOLS = "é−±×·∗°′″ℓ√∞∂≤≥≈≠→←↑↓½–—‘’…§₀\u0304\u0302"
 SCRIPT = "𝓡𝓝𝓢"
 ASCII = "".join(map(chr, range(0x20, 0x7F)))
-# Accents are drawn for small letters, but stand over italic capitals: the bar over X, the hat over I.
+# Accents are drawn for small letters, but stand over italic capitals: the bar over X, the hat over
+# I.
 LIFTS = {0x0304: (20, 656 - 473), 0x0302: (177, 656 - 473)}
 
 
@@ -74,7 +76,9 @@ def main() -> None:
     names, glyphs = font.getBestCmap(), font.getGlyphSet()
     plain = sorted(set(map(ord, ASCII + GREEK + SYMBOLS + SCRIPT)))
     print("not in the source:", [chr(code) for code in plain if code not in names])
-    places = [("r", code, code) for code in plain] + [("i", code, own) for code, own in sorted(italic_symbols().items())]
+    places = [("r", code, code) for code in plain] + [
+        ("i", code, own) for code, own in sorted(italic_symbols().items())
+    ]
     lines = []
     for face, code, own in places:
         if own in names:

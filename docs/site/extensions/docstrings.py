@@ -17,7 +17,10 @@ _SEVERAL = re.compile(r":(ivar|vartype) (\w+(?:, \w+)+):(.*)")
 def _before(
     app: Sphinx, what: str, name: str, obj: object, options: object, lines: list[str]
 ) -> None:
-    """Absolute values are bars, which reStructuredText takes for substitutions, and the first colon of a property ends no type."""
+    """Bars of absolute values, and colons, as reStructuredText needs them.
+
+    It takes bars for substitutions, and the first colon of a property for the end of a type.
+    """
     lines[:] = [line if ">>>" in line else _BAR.sub(r"\\|", line) for line in lines]
     if what in ("attribute", "property", "data") and lines and ": " in lines[0]:
         first, rest = lines[0].split(": ", 1)
@@ -42,7 +45,10 @@ def _after(
 def _by_last_name(
     app: Sphinx, env: BuildEnvironment, node: nodes.Element, content: nodes.TextElement
 ) -> nodes.reference | None:
-    """The one object of the package whose name ends so: docstrings name classes as people do, without the module."""
+    """The one object of the package whose name ends so.
+
+    Docstrings name classes as people do, without the module.
+    """
     if node.get("refdomain") != "py":
         return None
     objects = env.get_domain("py").objects

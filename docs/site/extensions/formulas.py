@@ -1,4 +1,7 @@
-"""Formulas as HTML and MathML, made once by KaTeX when the site is built: a reader needs no network and no script."""
+"""Formulas as HTML and MathML, made once by KaTeX when the site is built.
+
+A reader needs no network and no script.
+"""
 
 from __future__ import annotations
 

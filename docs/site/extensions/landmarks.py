@@ -1,4 +1,7 @@
-"""What the theme leaves out for those who listen to a page: names of its side bars, and the level of their headings."""
+"""What the theme leaves out for those who listen to a page.
+
+These are names of its side bars, and the level of their headings.
+"""
 
 from __future__ import annotations
 
@@ -7,10 +10,16 @@ from typing import Any
 
 from sphinx.application import Sphinx
 
+_LABELS = {
+    "sidebar-drawer": "Pages of the site",
+    "toc-drawer": "On this page",
+    "toc-drawer no-toc": "On this page",
+}
 _MENDED = {
-    '<aside class="sidebar-drawer">': '<aside class="sidebar-drawer" aria-label="Pages of the site">',
-    '<aside class="toc-drawer">': '<aside class="toc-drawer" aria-label="On this page">',
-    '<aside class="toc-drawer no-toc">': '<aside class="toc-drawer no-toc" aria-label="On this page">',
+    **{
+        f'<aside class="{name}">': f'<aside class="{name}" aria-label="{label}">'
+        for name, label in _LABELS.items()
+    },
     'class="caption" role="heading">': 'class="caption" role="heading" aria-level="2">',
 }
 

@@ -1,4 +1,7 @@
-"""The directive `program-help`: the command line as its own `--help` tells it, a section for each command."""
+"""The directive `program-help`: the help of the command line.
+
+It is as `--help` tells it, a section for each command.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Links of documents to files of the repository that are no pages of the site: to the repository where it is public."""
+"""Links of documents to files of the repository that are no pages of the site.
+
+They lead to the repository where it is public.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The directive `core-table`: tables of the core, as the Python package has them, so that no page repeats them."""
+"""The directive `core-table`: tables of the core, as the Python package has them.
+
+No page repeats them.
+"""
 
 from __future__ import annotations
 

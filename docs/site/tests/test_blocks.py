@@ -22,7 +22,7 @@ BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 
 # What is not run, and why: a part of the command.
 NOT_RUN = {
-    "littlewood figures --out figures": "draws everything, which crates/littlewood-figures/tests/gallery.rs does",
+    "littlewood figures --out figures": "draws everything, as gallery.rs of the crate does",
     ".mp4": "needs ffmpeg",
     "lab": "serves until it is stopped",
 }

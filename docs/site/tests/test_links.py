@@ -1,4 +1,6 @@
-"""Every link of the built site leads to a page, and to a place that is there; nothing is asked of another host."""
+"""Every link of the built site leads to a page, and to a place that is there; nothing is asked of
+another host.
+"""
 
 import os
 from collections.abc import Iterator

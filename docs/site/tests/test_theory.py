@@ -1,4 +1,6 @@
-"""The equations of the theory at random states: against Newton's and Euler's laws, and against the library."""
+"""The equations of the theory at random states: against Newton's and Euler's laws, and against the
+library.
+"""
 
 import math
 

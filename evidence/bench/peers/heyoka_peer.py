@@ -1,4 +1,7 @@
-"""heyoka: adaptive Taylor series with terminal events, one integrator for each mode, friction compiled in."""
+"""heyoka: adaptive Taylor series with terminal events.
+
+There is one integrator for each mode, with friction compiled in.
+"""
 
 import math
 import time
@@ -93,7 +96,10 @@ class Hybrid:
         return event, integrator.time, integrator.state
 
     def figure_3(self):
-        """Slide, roll, slide to lift-off, the order of the phases given: no time goes to finding it."""
+        """Slide, roll, slide to lift-off, in a given order of the phases.
+
+        No time goes to finding it.
+        """
         minus, roll, plus = (self.integrators[mode] for mode in (-1, ROLL, 1))
         minus.time = 0.0
         minus.state[:] = (*FIGURE_3, -SEED, 0.0)
@@ -116,7 +122,7 @@ class Hybrid:
 
 
 class Batch:
-    """Several motions in one integrator, whose parameters switch from one mode to the next in callbacks."""
+    """Several motions in one integrator, whose parameters callbacks switch between the modes."""
 
     def __init__(self, lanes):
         self.lanes, self.times = lanes, []
@@ -190,7 +196,9 @@ def regime(seconds):
 
 
 def angle(until):
-    """In pieces, whole turns and x taken off between them: heyoka's tolerance is relative to the largest of the state.
+    """In pieces, whole turns and x taken off between them.
+
+    heyoka's tolerance is relative to the largest of the state.
 
     In one piece the angle at 10^6 is wrong by 8e-3.
     """

@@ -1,4 +1,7 @@
-"""numba: Runge and Kutta's method of order 4 with a fixed step; events are located on a shortened last step."""
+"""numba: Runge and Kutta's method of order 4 with a fixed step.
+
+Events are located on a shortened last step.
+"""
 
 import numpy as np
 from numba import njit

@@ -1,4 +1,6 @@
-"""The hoop of LITTLEWOOD_HOOP (mass ratio, offset, inertia, mu_s, mu_k), or that of figure 2, and what follows at rest.
+"""The hoop of LITTLEWOOD_HOOP, or that of figure 2, and what follows at rest.
+
+The variable has mass ratio, offset, inertia, mu_s and mu_k.
 
 Everything here works on floats, compiled where numba is there, so that the peers spend their time
 on integrating.
@@ -60,7 +62,10 @@ def sliding(theta, rate, sign):
 
 @njit
 def slip_margins(theta, rate):
-    """Both fall through 0 where static friction gives way: the first to a slide with sign -1, the second with +1."""
+    """Both fall through 0 where static friction gives way.
+
+    The first leads to a slide with sign -1, the second to one with +1.
+    """
     _, normal, friction = rolling(theta, rate)
     return MU_S * normal - friction, MU_S * normal + friction
 
@@ -87,7 +92,7 @@ def mode_at_rest(theta, rate):
 
 @njit
 def mode_after(mode, event, theta, rate):
-    """What follows an event (0 or 1, in the order of the functions above) that ends a phase at rest."""
+    """What follows an event, 0 or 1 as the functions above, that ends a phase at rest."""
     following = mode_at_rest(theta, rate)
     if mode == ROLL and following == ROLL:  # on the limit, but for rounding
         return -1 if event == 0 else 1
@@ -95,7 +100,10 @@ def mode_after(mode, event, theta, rate):
 
 
 def follow(theta, rate, until, advance, slip=0.0):
-    """Outcome and times of the events, with `advance(mode, time, state, until)` -> (event or None, time, state)."""
+    """Outcome and times of the events.
+
+    `advance(mode, time, state, until)` returns an event or None, the time and the state.
+    """
     time, state, times = 0.0, (theta, rate, slip, 0.0), []
     mode = int(math.copysign(1.0, slip)) if slip else mode_at_rest(theta, rate)
     if mode == FREE or slip and weight(theta, rate) < 0.0:

@@ -1,4 +1,7 @@
-"""A peer reads one benchmark a line (a name and a whole number) and answers with one line of JSON."""
+"""A peer reads benchmarks, one a line, and answers each with one line of JSON.
+
+A line is a name and a whole number.
+"""
 
 import json
 import statistics
@@ -24,8 +27,10 @@ def median_seconds(call, seconds=0.5):
 
 
 def outcomes_in(name, starts, outcome, failed, most):
-    """As many outcomes as can be had in some seconds of the processor, and the time of each: the least, where there is time
-    for more than one round. What cannot be integrated has failed.
+    """As many outcomes as can be had in some seconds of the processor, and the time of each.
+
+    The time is the least, where there is time for more than one round. What cannot be integrated
+    has failed.
     """
     outcomes, seconds = [], []
     end = time.process_time() + most
@@ -47,7 +52,10 @@ def outcomes_in(name, starts, outcome, failed, most):
 
 
 def trajectory(name, call, each=1):
-    """`call` returns the times of the three events of figure 3; it follows `each` motions at a time."""
+    """`call` returns the times of the three events of figure 3.
+
+    It follows `each` motions at a time.
+    """
     return {
         "name": name,
         "seconds": median_seconds(call) / each,

@@ -72,7 +72,8 @@ class Case:
         """The coefficient of friction, for an engine that has one."""
         if self.mu_s != self.mu_k:
             refuse(
-                f"the engine has one coefficient of friction, the case mu_s = {self.mu_s}, mu_k = {self.mu_k}"
+                f"the engine has one coefficient of friction, the case mu_s = {self.mu_s}, mu_k = "
+                f"{self.mu_k}"
             )
         return self.mu_k
 
@@ -113,7 +114,9 @@ COLUMNS = {
 
 
 def main(simulate, gradient=None):
-    """Run one case: `simulate(case, step, setting)` yields rows, and prepares the engine before the first.
+    """Run one case.
+
+    `simulate(case, step, setting)` yields rows, and prepares the engine before the first.
 
     `gradient`, which takes the same, yields rows of derivatives with respect to `case.gradient`.
     """

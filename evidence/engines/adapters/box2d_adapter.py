@@ -1,4 +1,6 @@
-"""Box2D 2.3 (pybox2d): a body whose mass data are set, a circle beside its mass centre, a long edge.
+"""Box2D 2.3 (pybox2d): a body whose mass data are set.
+
+It has a circle beside its mass centre, on a long edge.
 
 engine: Box2D 2.3
 contact: rigid

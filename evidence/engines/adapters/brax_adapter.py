@@ -1,4 +1,6 @@
-"""Brax: three of its pipelines on the processor, in double precision, with MuJoCo's model of the hoop.
+"""Brax: three of its pipelines on the processor, in double precision.
+
+The hoop is MuJoCo's model.
 
 engine: Brax
 contact: compliant

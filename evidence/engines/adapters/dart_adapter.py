@@ -1,4 +1,6 @@
-"""DART (dartpy): a sphere on a large box, on a planar joint at the geometric centre, off which the mass centre is.
+"""DART (dartpy): a sphere on a large box.
+
+It is on a planar joint at the geometric centre, off which the mass centre is.
 
 engine: DART
 contact: rigid

@@ -1,4 +1,6 @@
-"""Drake: MultibodyPlant, a planar joint at the geometric centre, a sphere on a half space, point contact.
+"""Drake: MultibodyPlant, a sphere on a half space, point contact.
+
+A planar joint is at the geometric centre.
 
 engine: Drake
 contact: compliant

@@ -1,4 +1,6 @@
-"""Genesis: a sphere on a plane, two slides and a hinge at the geometric centre, on the processor, in double precision.
+"""Genesis: a sphere on a plane, on the processor, in double precision.
+
+Two slides and a hinge are at the geometric centre.
 
 engine: Genesis
 contact: compliant

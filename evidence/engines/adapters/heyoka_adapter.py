@@ -24,7 +24,8 @@ from hybrid import FLIGHT, MODES, SIGN, Hoop
 hy.set_logger_level_critical()  # its warnings go to the standard output, where the cost is
 OPTIONS = {"default": {}, "careful": {"high_accuracy": True}}
 WHILE = 1e-2
-"""The rim is up to 1e-6 R high after it, and the slip as small: no hoop lands, or sticks, before."""
+"""The rim is up to 1e-6 R high after it, and the slip as small: no hoop lands, or sticks,
+before."""
 
 
 def simulate(case, step, setting):
@@ -35,7 +36,10 @@ def simulate(case, step, setting):
     falling = hy.event_direction.negative
 
     def events_of(mode):
-        """Those functions whose zero ends a mode, by number, that are not constants, as some of a balanced hoop."""
+        """Those functions whose zero ends a mode, by number, that are not constants.
+
+        Some of a balanced hoop are.
+        """
         ends = enumerate(hoop.ends(mode, variables, hy))
         return {
             i: end for i, end in ends if isinstance(end, hy.expression) and hy.get_variables(end)

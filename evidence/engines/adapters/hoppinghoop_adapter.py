@@ -1,4 +1,6 @@
-"""The hopping-hoop simulator of hellpig: this hoop's own equations, integrated by SciPy with events, phase by phase.
+"""The hopping-hoop simulator of hellpig: this hoop's own equations.
+
+SciPy integrates them with events, phase by phase.
 
 engine: hopping-hoop-simulator
 contact: events

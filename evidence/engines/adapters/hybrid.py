@@ -26,7 +26,10 @@ class Hoop:
         return 1.0 / m + c * c / inertia, c * s / inertia, 1.0 / m + s * s / inertia
 
     def free(self, theta, rate, lib=math):
-        """Accelerations of the point of contact without forces, slip' and gap'', the other way round."""
+        """Accelerations of the contact point without forces, slip' and gap''.
+
+        The other way round.
+        """
         h, (along, away) = self.case.h, self.case.gravity
         return h * lib.sin(theta) * rate * rate - along, -away - h * lib.cos(theta) * rate * rate
 
@@ -113,7 +116,10 @@ class Hoop:
         return x, 1.0, theta, slip_after, gap_rate_after, rate + turning
 
     def follow(self, advance, step):
-        """Yield rows; `advance(mode, time, state, until)` returns the end, its state, which event, a dense output."""
+        """Yield rows.
+
+        `advance(mode, time, state, until)` returns the end, its state, which event, a dense output.
+        """
         case = self.case
         state, time = (0.0, 1.0, case.theta, case.slip, case.gap_rate, case.theta_rate), 0.0
         mode = FLIGHT if case.gap_rate > 0.0 else self.follows(state)

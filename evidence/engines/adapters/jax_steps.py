@@ -1,4 +1,6 @@
-"""What adapters of engines in JAX share: all steps of a run as one program, and its derivatives in forward mode.
+"""What adapters of engines in JAX share.
+
+All steps of a run are one program, with its derivatives in forward mode.
 
 A call from Python costs far more than a step, so that a run is a scan over the rows of the record,
 and in it a scan over the steps between two rows. It is translated before the first row, which takes

@@ -1,4 +1,6 @@
-"""MuJoCo Warp: MuJoCo's method in Warp, with MuJoCo's own model of the hoop, on Warp's processor device.
+"""MuJoCo Warp: MuJoCo's method in Warp, on Warp's processor device.
+
+The hoop is MuJoCo's own model.
 
 engine: MuJoCo Warp
 contact: compliant

@@ -1,4 +1,6 @@
-"""MJX: MuJoCo's method in JAX, with MuJoCo's own model of the hoop, on the processor, in double precision.
+"""MJX: MuJoCo's method in JAX, on the processor, in double precision.
+
+The hoop is MuJoCo's own model.
 
 engine: MJX (MuJoCo in JAX)
 contact: compliant

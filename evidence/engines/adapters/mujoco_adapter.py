@@ -1,4 +1,6 @@
-"""MuJoCo: a sphere on a plane, with two slides and a hinge at the geometric centre, off which the mass centre is.
+"""MuJoCo: a sphere on a plane, with two slides and a hinge at the geometric centre.
+
+The mass centre is off that centre.
 
 engine: MuJoCo
 contact: compliant

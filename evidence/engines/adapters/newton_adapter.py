@@ -1,4 +1,6 @@
-"""Newton: two of its solvers, on Warp's processor device, with a sphere on a plane, which stays plane by symmetry.
+"""Newton: two of its solvers, on Warp's processor device.
+
+A sphere on a plane stays plane by symmetry.
 
 engine: Newton (Warp)
 contact: rigid

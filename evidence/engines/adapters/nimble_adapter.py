@@ -1,4 +1,6 @@
-"""Nimble: DART made differentiable, a sphere on a box, on a slide in the plane and a hinge at its centre.
+"""Nimble: DART made differentiable, a sphere on a box.
+
+A slide is in the plane, and a hinge at its centre.
 
 engine: Nimble
 contact: rigid

@@ -1,4 +1,6 @@
-"""nosnoc (nosnoc_py): a Filippov system whose two parts are the slides, integrated with switch detection (FESD).
+"""nosnoc (nosnoc_py): a Filippov system whose two parts are the slides.
+
+It is integrated with switch detection (FESD).
 
 engine: nosnoc
 contact: events
@@ -67,7 +69,8 @@ def simulate(case, step, setting):
         now = np.asarray(solver.solve()["x_list"][-1]).ravel()
         if -away - h * np.cos(now[1]) * now[3] ** 2 < 0.0:
             refuse(
-                "the hoop leaves the plane, and the set-up has no flight: it would need time freezing"
+                "the hoop leaves the plane, and the set-up has no flight: it would need time "
+                "freezing"
             )
         yield i * step, now[0], 1.0, now[1]
 

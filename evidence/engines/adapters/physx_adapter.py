@@ -1,4 +1,6 @@
-"""PhysX 5, as SAPIEN has it (on the processor): a sphere with its mass centre off its centre, on a plane.
+"""PhysX 5, as SAPIEN has it (on the processor): a sphere on a plane.
+
+Its mass centre is off its centre.
 
 The motion stays plane by symmetry.
 

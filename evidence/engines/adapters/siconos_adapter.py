@@ -1,4 +1,6 @@
-"""Siconos (Moreau-Jean time stepping): a body of three coordinates at its mass centre, Newton's impact with friction.
+"""Siconos (Moreau-Jean time stepping): a body of three coordinates at its mass centre.
+
+Impacts are Newton's, with friction.
 
 engine: Siconos
 contact: rigid

@@ -42,7 +42,9 @@ def test_published_hoops_are_those_of_their_authors():
 
 
 def test_the_ramps_are_those_of_the_closed_forms():
-    """ℓ = 0: x″ = −m sin α/D without slip, D = Î + m, and −sin α + μ cos α with it; rest next to the equilibrium."""
+    """ℓ = 0: x″ = −m sin α/D without slip, D = Î + m, and −sin α + μ cos α with it; rest next to
+    the equilibrium.
+    """
     sin, cos = math.sin, math.cos
     for name, rate in (
         ("ramp-rolls", -sin(0.3) * 2 / 3),

@@ -1,4 +1,6 @@
-"""The library's errors at the events of random motions of the whole accepted range, against 60 digits.
+"""The library's errors at events of random motions of the whole accepted range.
+
+They are measured against 60 digits.
 
     python3 -m accuracy                    writes accuracy.json beside this package, and table and
     picture of docs/accuracy.md python3 -m accuracy --motions 200      so many of either kind;

@@ -1,4 +1,7 @@
-"""The follower against the certified motions, 30 digits with a radius, made by ball arithmetic: python3 -m accuracy.certificates"""
+"""The follower against the certified motions, 30 digits with a radius, made by ball arithmetic.
+
+Run it as python3 -m accuracy.certificates.
+"""
 
 import json
 import sys

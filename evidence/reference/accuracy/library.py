@@ -1,4 +1,7 @@
-"""Random motions of the whole accepted range, drawn and answered by the library: its example `motions`."""
+"""Random motions of the whole accepted range.
+
+The library's example `motions` draws and answers them.
+"""
 
 import json
 import math
@@ -40,7 +43,10 @@ def motions(kind, count):
 
 
 def parsed(line):
-    """A motion: (numbers of the hoop, start, coefficient and law of restitution or None), (transitions, outcome)."""
+    """A motion: (given, (transitions, outcome)).
+
+    `given` is (numbers of the hoop, start, coefficient and law of restitution or None).
+    """
     hoop, start = line["hoop"], line["start"]
     bounce = (
         None

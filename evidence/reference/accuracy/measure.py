@@ -32,7 +32,10 @@ def exact(task, setting, noise=None, last=None):
 
 
 def course(transitions, count):
-    """What has to agree to the letter, of the first `count` transitions: not yet what follows the last of them."""
+    """What has to agree to the letter, of the first `count` transitions.
+
+    What follows the last of them is not yet compared.
+    """
     last = transitions[count - 1]["cause"] if count <= len(transitions) else None
     return tuple((t["cause"], t["to"], t["direction"]) for t in transitions[: count - 1]) + (
         RESTS.get(last, last),
@@ -40,7 +43,10 @@ def course(transitions, count):
 
 
 def one(numbered):
-    """A numbered motion: (task, motion, conditioning of the numbers of the transitions that doubles decide)."""
+    """A numbered motion: (task, motion, conditioning).
+
+    The conditioning is that of the numbers of the transitions that doubles decide.
+    """
     name, task = numbered
     dice = random.Random(f"accuracy {name}")
     rough, ended = exact(task, COARSE)
@@ -71,13 +77,19 @@ def one(numbered):
 
 
 def size(transition, name):
-    """What the error of a number is measured by: a place is that of a body of radius 1, whose rim slips and turns."""
+    """What the error of a number is measured by.
+
+    A place is that of a body of radius 1, whose rim slips and turns.
+    """
     least = {"x": 1, "slip": abs(transition["theta_rate"])}.get(name, 0)
     return max(abs(transition[name]), mpfr(least))
 
 
 def unit(transition, name, others):
-    """Conditioning: how far the last digit of all numbers moves a number, in units of 2^-52 of it, and at least one."""
+    """Conditioning: how far the last digit of all numbers moves a number.
+
+    It is in units of 2^-52 of that number, and at least one.
+    """
     scale = mpfr(ULP) * size(transition, name)
     return max(1.0, *(float(abs(other[name] - transition[name]) / scale) for other in others))
 

@@ -42,7 +42,8 @@ def short(value):
 def filled(text, data):
     """The page with its places filled: between a mark and its end."""
     rows = [
-        "| part of the range | numbers | error: median, 99 %, largest | conditioning | error / conditioning | above 8 |",
+        "| part of the range | numbers | error: median, 99 %, largest | conditioning | error / "
+        "conditioning | above 8 |",
         "|---|---|---|---|---|---|",
     ]
     for part, row in data["parts"].items():

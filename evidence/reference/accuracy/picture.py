@@ -28,7 +28,10 @@ def edges(rows):
 
 
 def draw(data):
-    """Errors against each quantity: median, 99 % and largest, and what conditioning alone gives in 99 %."""
+    """Errors against each quantity: median, 99 % and largest.
+
+    Beside them is what conditioning alone gives in 99 %.
+    """
     figure, axes = panels(len(QUANTITIES), height=240, sharey=True)
     figure.set_gid(fingerprint(data))
     looks = [{"label": label, **look} for label, look in listed(("median", "99 %", "largest"))]

@@ -31,7 +31,10 @@ def ordinary(hoop, start):
 
 
 def vanishing(hoop, start):
-    """Whether a number of the hoop or the start is next to the smallest doubles, where digits end."""
+    """Whether a number of the hoop or the start is next to the smallest doubles.
+
+    There digits end.
+    """
     return any(0 < abs(value) < 1e-100 for value in (*hoop, *start))
 
 
@@ -63,7 +66,10 @@ def spread(values):
 
 
 def row(numbers):
-    """Of pairs (error, conditioning): how many, their spread and that of their ratio, and the share of ratios above 8."""
+    """Of pairs (error, conditioning): how many, spreads, and the share of ratios above 8.
+
+    The spreads are those of the errors and of the ratios.
+    """
     return dict(
         numbers=len(numbers),
         error=spread([e for e, _ in numbers]),

@@ -1,4 +1,6 @@
-"""Motions that start beside a curve on which two events coincide, to 40 digits, against the library.
+"""Motions that start beside a curve on which two events coincide.
+
+40 digits are compared with the library.
 
 Needs gmpy2, python-flint and cargo: the library's answers are those of the example `transitions` of
 the core, built from this checkout.

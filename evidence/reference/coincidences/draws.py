@@ -15,7 +15,10 @@ def beside(dice):
 
 
 def heavy(dice):
-    """A hoop with inertia, without friction: thin, of any kind, light, or with the particle inside a light one."""
+    """A hoop with inertia, without friction.
+
+    It is thin, of any kind, light, or has the particle inside a light one.
+    """
     kind = dice.randrange(5)
     m = dice.uniform(0.2, 4)
     if kind == 0:

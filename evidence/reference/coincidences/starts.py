@@ -96,7 +96,10 @@ def reversal_or_stick(dice, body):
 
 
 def slip_that_touches_rest(dice, body):
-    """The slip velocity touches zero: there the friction demand is the coefficient of kinetic friction."""
+    """The slip velocity touches zero.
+
+    There the friction demand is the coefficient of kinetic friction.
+    """
     hoop = Hoop(*body, 0, 0)
     theta, rate = dice.uniform(-3.0, 3.0), signed(dice, 0, 2.5)
     _, n, f = rolling_forces(hoop, mpfr(theta), mpfr(rate))

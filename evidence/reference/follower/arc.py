@@ -1,4 +1,6 @@
-"""Rolling and sliding of a hoop with inertia, by power series in the angle turned, where it turns fast enough.
+"""Rolling and sliding of a hoop with inertia, by power series in the angle turned.
+
+For where it turns fast enough.
 
 With u = theta'^2 the same balances of momentum are linear in u, so that u, the time and the slip
 are quadratures.
@@ -14,7 +16,11 @@ from .roots import arb, first_fall, number, stays
 
 
 class Arc:
-    """One step: series in psi = |theta - theta0| of u, the time, the slip and the way of the contact point, and those of the events."""
+    """One step: series in psi = |theta - theta0|.
+
+    They are those of u, the time, the slip and the way of the contact point, and those of the
+    events.
+    """
 
     circles = {}
 
@@ -97,7 +103,10 @@ class Arc:
         )
 
     def scaled(self, p, length, known=0):
-        """Coefficients of a series over a step of a length, divided by the first `known` powers of the angle."""
+        """Coefficients of a series over a step.
+
+        Divided by the first `known` powers of the angle.
+        """
         length, power, out = arb(length), flint.arb(1), []
         for k in range(known, self.terms):
             out.append(p[k] * power)
@@ -105,7 +114,10 @@ class Arc:
         return out
 
     def fall(self, p, length, known):
-        """First psi at which a series, positive behind its start but for `known` roots there, falls through zero."""
+        """First psi at which a series falls through zero.
+
+        It is positive behind its start, but for `known` roots there.
+        """
         p = self.scaled(p, length, known)
         if stays(p, 1.0):
             return None

@@ -9,7 +9,10 @@ COARSE = (220, 20, 1e-22)  # for repetitions, which need only a difference
 
 
 class Tie(Exception):
-    """Where the follower gives up: two events that 40 digits do not tell apart, a state without a motion of its own, or one too long.
+    """Where the follower gives up.
+
+    Two events that 40 digits do not tell apart, a state without a motion of its own, or one too
+    long.
 
     What was followed until then is in `first` and `transitions`.
     """
@@ -18,7 +21,7 @@ class Tie(Exception):
 
 
 class Work:
-    """The setting with which series and roots are found, and the largest number of steps of a phase."""
+    """The setting with which series and roots are found, and the most steps of a phase."""
 
     bits, order, error = FINE
     steps = 100

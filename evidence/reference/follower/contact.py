@@ -13,7 +13,9 @@ SHORT = 0.01  # step in the angle, below which one in the time is longer
 
 
 def smooth(hoop, mode, sigma, state, known, until):
-    """Rolling or sliding to its first event: (cause, time, state, direction), or None for the cause at the time limit.
+    """Rolling or sliding to its first event: (cause, time, state, direction).
+
+    The cause is None at the time limit.
 
     Rolling goes on for ever where nothing has ended it after a turn, or after there and back.
     """
@@ -56,7 +58,10 @@ def earliest(events):
 
 
 def in_angle(hoop, mode, sigma, state, known, left):
-    """A step in the angle: (cause or None, its time, state, direction), or None where such a step is short."""
+    """A step in the angle: (cause or None, its time, state, direction).
+
+    None where such a step is short.
+    """
     arc = Arc(hoop, state, sigma if mode == "sliding" else None)
     length = arc.reach()
     if length < SHORT:

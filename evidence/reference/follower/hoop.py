@@ -1,4 +1,4 @@
-"""A hoop, the balances of force and moment at one instant, and the motion that follows from rest."""
+"""A hoop, the balances of force and moment at one instant, and what follows from rest."""
 
 import gmpy2
 from gmpy2 import mpfr
@@ -44,7 +44,10 @@ def slide_acceleration(hoop, theta, rate, sigma):
 
 
 def unloaded(hoop, theta, rate):
-    """cos slope - h cos theta theta'^2: negative where free fall of the mass centre would lift the rim."""
+    """cos slope - h cos theta theta'^2.
+
+    It is negative where free fall of the mass centre would lift the rim.
+    """
     return hoop.down - hoop.h * gmpy2.cos(theta) * rate * rate
 
 

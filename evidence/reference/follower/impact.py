@@ -7,7 +7,10 @@ from .arithmetic import Tie
 
 
 class Contact:
-    """The rim at the plane: how slip, rate of the gap and spin answer to an impulse (friction, normal)."""
+    """The rim at the plane.
+
+    How slip, rate of the gap and spin answer to an impulse (friction, normal).
+    """
 
     def __init__(self, hoop, theta):
         s, c = gmpy2.sin_cos(theta)
@@ -19,7 +22,10 @@ class Contact:
         return spin, friction / self.hoop.m + self.lever * spin, 1 / self.hoop.m + self.arm * spin
 
     def friction(self, slips):
-        """Friction over normal impulse, and the way of the slip: against it; at rest what keeps it so, if static friction can."""
+        """Friction over normal impulse, and the way of the slip, which friction opposes.
+
+        At rest it is what keeps it so, if static friction can.
+        """
         if not slips:
             free = self.change(mpfr(0))[1]
             hold = -free / (self.change(mpfr(1))[1] - free)

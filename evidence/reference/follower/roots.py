@@ -9,7 +9,10 @@ from .series import slope, value
 
 
 def root(f, slope_of_f, low, high, sign):
-    """Root of f between low and high, where sign*f goes from plus to minus: bisection, then Newton."""
+    """Root of f between low and high, where sign*f goes from plus to minus.
+
+    By bisection, then Newton's method.
+    """
     a, b = low, high
     t = (a + b) / 2
     for _ in range(30):
@@ -33,7 +36,10 @@ def root(f, slope_of_f, low, high, sign):
 
 
 def first_fall(f, df, low, high, parts=8):
-    """First time in (low, high] at which f, positive behind low, falls through zero, extrema between points included."""
+    """First time in (low, high] at which f, positive behind low, falls through zero.
+
+    Extrema between points are included.
+    """
     width = high - low
     before = low
     slope_before = df(low)

@@ -36,7 +36,9 @@ def circle(th):
 
 
 def series(hoop, state, sigma):
-    """Taylor series of theta, theta', eta', N and F from a state: rolling for sigma None, else sliding.
+    """Taylor series of theta, theta', eta', N and F from a state.
+
+    They are those of rolling for sigma None, else of sliding.
 
     Mass centre at (x - h sin theta, 1 + h cos theta); contact point from it at (h sin theta, -1 - h
     cos theta). m xG'' = F - m sin slope, m yG'' = N - m cos slope, I theta'' = h sin theta N + (1 +

@@ -1,4 +1,6 @@
-"""`python -m evidence.studies.film.coverage FIRST LAST [search]`: fits of synthetic tracks, a line of CSV for each.
+"""`python -m evidence.studies.film.coverage FIRST LAST [search]`: fits of synthetic tracks.
+
+It prints a line of CSV for each.
 
 Film number k is made with the seed k. With `search` a fit begins where the builder of the hoop
 would, at many places, else at the truth. docs/studies/real-film/coverage.csv has the lines of 0 to
@@ -26,7 +28,10 @@ HEAD = [
 
 
 def track_of(thrown: Throw, rate: float, random: np.random.Generator) -> lw.Track:
-    """Return the track of a film with so many pictures a second: the exact motion with the noise of the tracker."""
+    """Return the track of a film with so many pictures a second.
+
+    It is the exact motion with the noise of the tracker.
+    """
     units = thrown.hoop.require_units()
     time = np.arange(round(SECONDS * rate)) / rate / units.time_s
     seen = thrown.motion(time)

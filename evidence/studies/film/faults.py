@@ -1,4 +1,6 @@
-"""`python -m evidence.studies.film.faults FAULT FIRST LAST`: fits of tracks with a fault, a line of CSV for each.
+"""`python -m evidence.studies.film.faults FAULT FIRST LAST`: fits of tracks with a fault.
+
+It prints a line of CSV for each.
 
 The fit does not know of the fault. Film number k of a fault is made with the seed k; the first of
 every fault stand in docs/studies/doubted-fits/films.csv.
@@ -24,7 +26,8 @@ from .throws import FREE, SECONDS, throw
 Reals = npt.NDArray[np.float64]
 
 WRONG = 4.0
-"""An answer is wrong if the truth of an identifiable parameter is so many standard errors away, or more."""
+"""An answer is wrong if the truth of an identifiable parameter is so many standard errors away, or
+more."""
 
 HEAD = (
     "fault",
@@ -149,7 +152,10 @@ def mislabelled(random: np.random.Generator, rate: float) -> Film:
 
 
 def shutter(random: np.random.Generator, rate: float) -> Film:
-    """Lines are exposed one after the other: the picture, five radii high, from its top in the time of a frame."""
+    """Lines are exposed one after the other.
+
+    The picture, five radii high, is read from its top in the time of a frame.
+    """
     one = throw(random)
     unit = one.hoop.require_units().time_s
     time = np.arange(round(SECONDS * rate) - 1) / rate / unit
@@ -183,7 +189,10 @@ def ramp(random: np.random.Generator, rate: float) -> Film:
 
 
 def soft(random: np.random.Generator, rate: float) -> Film:
-    """The ground resists rolling by a hundredth of the radius; the film ends where the hoop leaves the ground."""
+    """The ground resists rolling by a hundredth of the radius.
+
+    The film ends where the hoop leaves the ground.
+    """
     while True:
         film = thrown(random, rate)
         theta, x = rolling_on_soft_ground(film.hoop, film.start, film.time, 0.01)
@@ -277,7 +286,7 @@ def fitted(fault: str, number: int, search: bool = False) -> tuple[Film, lw.FitR
 
 
 def line_of(fault: str, number: int) -> list[str]:
-    """Return the cells of a line: how far the worst parameter is off, the doubts, and the parameters."""
+    """Return the cells of a line: how far the worst parameter is off, doubts, parameters."""
     film, result = fitted(fault, number)
     cells, worst = [], 0.0
     for name in FREE:

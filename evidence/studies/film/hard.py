@@ -1,4 +1,6 @@
-"""`python -m evidence.studies.film.hard`: films as a school takes them, and how far the track is then off.
+"""`python -m evidence.studies.film.hard`: films as a school takes them.
+
+And how far the track is then off.
 
 It prints docs/studies/real-film/hard.csv. The films of H.264 need ffmpeg on the path.
 """
@@ -81,7 +83,10 @@ def flicker(film: Film, frames: Frames) -> Frames:
 
 
 def cut(film: Film, frames: Frames) -> Frames:
-    """The upper edge of the picture is at 1.6 radii: a fifth of the height of the hoop is out of it."""
+    """The upper edge of the picture is at 1.6 radii.
+
+    A fifth of the height of the hoop is out of it.
+    """
     _, edge = film.plane.to_pixels(0.0, 1.6 * film.thrown.hoop.require_units().length_m)
     for frame in frames:
         yield np.ascontiguousarray(frame[round(float(edge)) :])
@@ -119,7 +124,8 @@ def write(film: Film, hard: Hard, path: Path) -> None:
     first = next(frames)
     size = (first.shape[1], first.shape[0])
     if hard.codec == "h264":
-        flags = f"-y -loglevel error -f rawvideo -pix_fmt bgr24 -s {size[0]}x{size[1]} -r 30 -i -".split()
+        size_text = f"{size[0]}x{size[1]}"
+        flags = f"-y -loglevel error -f rawvideo -pix_fmt bgr24 -s {size_text} -r 30 -i -".split()
         encode = "-c:v libx264 -crf 28 -pix_fmt yuv420p".split()
         with subprocess.Popen(
             ["ffmpeg", *flags, *encode, str(path)], stdin=subprocess.PIPE
@@ -143,7 +149,10 @@ def shifted(film: Film, hard: Hard) -> video.Plane:
 
 
 def line_of(name: str, number: int) -> list[str]:
-    """Track and fit one hard film: the track by the true plane, the fit by the plane that the hoop itself tells."""
+    """Track and fit one hard film.
+
+    The track is by the true plane, the fit by the plane that the hoop itself tells.
+    """
     hard, film = HARD[name], film_of(number)
     if hard.part is not None:
         film = replace(film, exposure_s=hard.part / film.rate)

@@ -1,4 +1,7 @@
-"""A hoop on soft ground, which resists rolling, by an integrator of its own: the simulation has no such ground."""
+"""A hoop on soft ground, which resists rolling, by an integrator of its own.
+
+The simulation has no such ground.
+"""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ class Throw:
 
     @property
     def guess(self) -> lw.Hoop:
-        """The hoop as its builder knows it: weighed and measured, with the inertia of a thin rim."""
+        """The hoop as its builder knows it: weighed and measured, with a thin rim's inertia."""
         inertia = 0.95 * self.hoop.mass_ratio
         return replace(
             self.hoop, mu_s=0.5, mu_k=0.3, inertia=inertia, restitution=None, restitution_law=None
@@ -53,7 +53,10 @@ class Throw:
 
 
 def throw(random: np.random.Generator) -> Throw:
-    """Draw throws until one rolls, slips out of rolling, lifts off and lands twice within a second and twelve radii."""
+    """Draw throws until one rolls, slips out of rolling, lifts off and lands twice.
+
+    Within a second and twelve radii.
+    """
     while True:
         ratio, mu_k = random.uniform(0.5, 2.0), random.uniform(0.2, 0.6)
         hoop = lw.Hoop.from_si(

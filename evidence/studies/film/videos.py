@@ -1,4 +1,6 @@
-"""`python -m evidence.studies.film.videos FIRST LAST`: fits of synthetic films, from the file of the film on.
+"""`python -m evidence.studies.film.videos FIRST LAST`: fits of synthetic films.
+
+From the file of the film on.
 
 Film number k is made with the seed k. The lines of docs/studies/real-film/videos.csv are those of 0
 to 200.
@@ -56,7 +58,10 @@ class Film:
 
     @property
     def clicked(self) -> video.Plane:
-        """The same as somebody has it who clicks on the corners of a board of half the picture's width."""
+        """The same as somebody has it who clicks on the corners of a small board.
+
+        It has half the picture's width.
+        """
         width, height = self.camera.width, self.camera.height
         left, top = self.plane.to_metres(0.25 * width, 0.3 * height)
         right, bottom = self.plane.to_metres(0.75 * width, 0.7 * height)
@@ -78,11 +83,17 @@ class Film:
         )
 
     def track(self, path: Path, plane: video.Plane) -> lw.Track:
-        """Track the film by somebody who takes the plane to be there, and does not know the exposure."""
+        """Track the film by somebody who takes the plane to be there.
+
+        The exposure is unknown to them.
+        """
         return lw.track_video(path, self.thrown.hoop, plane=plane, fps=self.rate)
 
     def errors(self, track: lw.Track) -> dict[str, np.ndarray]:
-        """Return what a track has too much, against the mean of the exact motion over the exposures."""
+        """Return what a track has too much.
+
+        Against the mean of the exact motion over the exposures.
+        """
         time_s = self.thrown.hoop.require_units().time_s
         instants = self.exposure_s / time_s * (np.arange(64) + 0.5) / 64
         exact = self.thrown.motion((track.time[:, None] + instants).ravel())

@@ -27,7 +27,10 @@ from evidence.studies.hoops import thin_hoop
 
 
 def exact_orbits(rough, count=40):
-    """Orbits in fractions: every identity between rational functions must hold to the last digit."""
+    """Orbits in fractions.
+
+    Every identity between rational functions must hold to the last digit.
+    """
     random = np.random.default_rng(5)
     for _ in range(count):
         a, c, rate, v = (
@@ -38,7 +41,9 @@ def exact_orbits(rough, count=40):
 
 
 def energy_gradient(one):
-    """Of E/m = I ω²/2 − h sin θ ω v + v²/2 + h cos θ by θ, ω and v at θ = −φ, I being D/m or Î/m + (h sin θ)²."""
+    """Of E/m = I ω²/2 − h sin θ ω v + v²/2 + h cos θ by θ, ω and v at θ = −φ, I being D/m or Î/m +
+    (h sin θ)².
+    """
     a, c, w, v = one.arm, one.lever - 1, one.rate, one.gap_rate
     half_slope = a if one.rough else -a * c
     return [half_slope * w * w - c * w * v + a, one.inertia * w + a * v, a * w + v]
@@ -196,8 +201,13 @@ def test_small_losses_drive_a_stable_motion_along_the_family():
     for h, (begin, side) in ENDS.items():
         law = expected_turns(h, begin, stable(h)[0][side])
         middle = 0.5 * (begin + stable(h)[0][side])
-        off = [abs(drift(h, begin, loss, int(1.1 * law(middle) / loss) + 5).at(law(middle) / loss) - middle)
-               for loss in (1e-4, 1e-5)]  # fmt: skip
+        off = [
+            abs(
+                drift(h, begin, loss, int(1.1 * law(middle) / loss) + 5).at(law(middle) / loss)
+                - middle
+            )
+            for loss in (1e-4, 1e-5)
+        ]
         assert off[1] < 1e-3 and off[1] < 0.2 * off[0] + 1e-4
 
 

@@ -41,7 +41,9 @@ def test_the_margin_and_its_derivatives_are_those_of_the_forces():
 
 
 def orbits(seed, count):
-    """Yield random hoops with equal coefficients that lead to an orbit which grazes the limit, with the orbit."""
+    """Yield random hoops with equal coefficients that lead to an orbit which grazes the limit, with
+    the orbit.
+    """
     for drawn, random in random_hoops(seed, count):
         hoop = replace(drawn, mu_s=drawn.mu_k)
         contact = Contact.of(hoop)

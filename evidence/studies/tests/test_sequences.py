@@ -222,7 +222,10 @@ def test_lines_that_links_do_not_know_have_the_boundaries_of_the_surfaces():
 
 
 def hoops(count, seed):
-    """Yield random hoops with one coefficient of friction, and random generators for their states."""
+    """Yield random hoops with one coefficient of friction.
+
+    And random generators for their states.
+    """
     random = np.random.default_rng(seed)
     for _ in range(count):
         mu = float(np.exp(random.uniform(math.log(0.02), math.log(2.0))))
@@ -432,7 +435,9 @@ def test_no_slide_begins_where_it_would_need_a_negative_pressure():
 
 
 def turns_with_next_to_no_friction(count):
-    """Yield the reversals of the frictionless turn, from its cubic equation, with the turns at two small frictions."""
+    """Yield the reversals of the frictionless turn, from its cubic equation, with the turns at two
+    small frictions.
+    """
     random = np.random.default_rng(4)
     for _ in range(count):
         gamma = random.uniform(0.1, 0.7)
@@ -485,7 +490,7 @@ def test_degenerate_rates_are_those_at_which_the_number_of_reversals_changes():
         assert sorted(degenerate_rates(contact)) == pytest.approx(changes, abs=2e-3)
 
 
-def test_a_hoop_that_glides_without_turning_loses_its_slip_with_friction_and_parts_from_its_neighbours():
+def test_a_hoop_that_glides_without_turning_loses_slip_with_friction_and_parts_from_neighbours():
     for _, contact, mu, _ in hoops(100, 14):
         h = contact.h
         for sigma in (1.0, -1.0):

@@ -68,7 +68,8 @@ def test_committed_balls_are_made_again(derivatives, motions, name):
 
 
 def test_the_derivatives_of_the_library_are_in_the_balls_but_for_rounding(derivatives, motions):
-    """Rounding changes the derivatives by the second ones, of the size of the cube of the largest derivative so far.
+    """Rounding changes the derivatives by the second ones, of the size of the cube of the largest
+    derivative so far.
 
     Next to a tangency τ = √(p − p₀) has τ″ = −2 τ′³.
     """

@@ -112,9 +112,12 @@ class Next:
 
 
 def decide(body: Body, state: State, gives_way: int = 0, *, arrives: bool = True) -> Next:
-    """Decide which motion follows; static friction has just given way to this direction, if it is not 0.
+    """Decide which motion follows.
 
-    A motion that arrives is in contact and rolls where rolling is consistent; at a start flight may be, too.
+    Static friction has just given way to this direction, if it is not 0.
+
+    A motion that arrives is in contact and rolls where rolling is consistent; at a start flight may
+    be, too.
     """
     sin, cos = state.theta.sin(), state.theta.cos()
     contact = body.contact(state.theta, state.rate)

@@ -1,4 +1,6 @@
-"""The checker: follows the motion of a certificate again, by other means than the maker, and compares every number.
+"""The checker: follows the motion of a certificate again, and compares every number.
+
+It uses other means than the maker.
 
     python3 checker.py CERTIFICATE ...
 
@@ -271,7 +273,10 @@ Rule: TypeAlias = Callable[[int], tuple[int, int]]
 
 
 class Series:
-    """Middles and radii of the coefficients; the sum of their sizes so far, and the largest radius."""
+    """Middles and radii of the coefficients.
+
+    Also the sum of their sizes so far, and the largest radius.
+    """
 
     __slots__ = ("m", "r", "rule", "squared", "total", "worst")
 
@@ -413,7 +418,7 @@ class Wide(Exception):
 
 @dataclass(frozen=True)
 class Disc:
-    """Values not farther from the centre than the radius, and bounds of the derivatives by θ and θ′."""
+    """Values within the radius of the centre, and bounds of the derivatives by θ and θ′."""
 
     c: float
     r: float = 0.0
@@ -483,7 +488,10 @@ def around(value: Range, more: float = 0.0) -> Disc:
 
 
 def angle_and_rate(theta: Disc, rate: Disc) -> tuple[Disc, Disc, Disc]:
-    """Return sin θ, cos θ and θ′: with z from the centre, sin (θ + z) − sin θ = sin θ (cos z − 1) + cos θ sin z."""
+    """Return sin θ, cos θ and θ′.
+
+    With z from the centre, sin (θ + z) − sin θ = sin θ (cos z − 1) + cos θ sin z.
+    """
     if theta.r > 3:
         raise Wide
     sin, cos = math.sin(theta.c), math.cos(theta.c)
@@ -549,7 +557,10 @@ class Body:
         return self.h * s - self.mu_k * sigma * (1 + self.h * c)
 
     def rolling(self, s: Value, c: Value, omega: Value) -> Value:
-        """Return θ″ of rolling, (ℓ s (cos α + ω²) + (m + ℓ c) sin α)/D with D = Î + m (1 + h²) + 2 ℓ c (2.11)."""
+        """Return θ″ of rolling (2.11).
+
+        It is (ℓ s (cos α + ω²) + (m + ℓ c) sin α)/D with D = Î + m (1 + h²) + 2 ℓ c.
+        """
         constant = self.inertia + self.m * (1 + self.h * self.h)
         turning = (
             self.offset * s * (self.down + omega * omega) + (self.offset * c + self.m) * self.back
@@ -565,13 +576,16 @@ class Body:
         return self.weight(c, omega) / (self.h * s)
 
     def forces(self, s: Value, c: Value, omega: Value, alpha: Value) -> tuple[Value, Value]:
-        """Return N and F of rolling with θ″, as Newton has them: N − m cos α = m ȳ″ and F − m sin α = m x̄″ (2.12)."""
+        """Return N and F of rolling with θ″, as Newton has them (2.12).
+
+        N − m cos α = m ȳ″ and F − m sin α = m x̄″.
+        """
         u = omega * omega
         normal = self.m * self.down - self.offset * (s * alpha + c * u)
         return normal, self.offset * (s * u - c * alpha) - self.m * alpha + self.m * self.back
 
     def compliances(self, s: Value, c: Value) -> tuple[Value, Value, Value]:
-        """Return A, B and C: what impulses along and across the plane do to the velocities of the rim."""
+        """Return A, B and C: what impulses along and across do to the velocities of the rim."""
         arm, lever = self.h * s, 1 + self.h * c
         return (
             1 / self.m + lever * lever / self.inertia,
@@ -598,7 +612,10 @@ class State:
 
 
 def text_of(value: Range) -> list[str]:
-    """Return 30 digits and ⌊d + 1/1000⌋ + 1 of their error d in hundredths of the last; both ends have to agree."""
+    """Return 30 digits and ⌊d + 1/1000⌋ + 1 of their error d in hundredths of the last.
+
+    Both ends have to agree.
+    """
     low, high = value.ends()
     if low == high == 0:
         return ["0", "0"]
@@ -915,7 +932,10 @@ def valid_case(case: Any, where: str = "") -> None:
 
 
 class Written(float):
-    """A number of JSON that shows itself as the file writes it: other texts read as the same double."""
+    """A number of JSON that shows itself as the file writes it.
+
+    Other texts read as the same double.
+    """
 
     def __new__(cls, text: str) -> Written:
         """Read the text."""
@@ -930,7 +950,7 @@ class Written(float):
 
 
 def read(text: bytes | str) -> Any:
-    """Read JSON strictly: no names twice, no NaN, and numbers that are no integers with their texts.
+    """Read JSON strictly: no names twice, no NaN, and other numbers than integers with texts.
 
     Raises
     ------
@@ -1079,7 +1099,10 @@ class Phase:
         tau: Value,
         slip_constant: Value,
     ) -> dict[str, Value]:
-        """Return the guards for numbers of any kind, at sin θ, cos θ, θ′, at θ″ and a time from the start."""
+        """Return the guards for numbers of any kind.
+
+        At sin θ, cos θ, θ′, at θ″ and a time from the start.
+        """
         s, c, omega = angle
         if self.mode == ROLLING and self.massless:
             # F/N = −tan(θ/2), and N has the sign of 1 − ω²: where N vanishes F does, too.
@@ -1154,7 +1177,9 @@ def energy(body: Body, state: State) -> Range:
 
 
 def fall(start: State, sigma: int) -> State | None:
-    """Return the end of a glide in which the particle falls to the plane, if its slip does not come to rest.
+    """Return the end of a glide in which the particle falls to the plane.
+
+    Its slip does not come to rest before.
 
     Y = cos θ falls freely with V = Y′, and η′ = v − side V √((1 + Y)/(1 − Y)), whose last term is
     at most r √((1 + Y0)/(1 − Y0)) from here on, r the speed at the plane.
@@ -1202,7 +1227,10 @@ class Guard:
         return at(reversed(self.coefficients), s).widened(self.off)
 
     def slope(self, low: Range, high: Range) -> Range:
-        """Enclose the derivative between two points: in the middle, and the second derivative by its coefficients."""
+        """Enclose the derivative between two points.
+
+        In the middle, and the second derivative by its coefficients.
+        """
         numbered = list(enumerate(self.coefficients))
         middle, half = (low + high) / 2, ((high - low) / 2).largest()
         first = at((one * k for k, one in reversed(numbered[1:])), middle)
@@ -1256,7 +1284,9 @@ def _halves(low: Range, high: Range, unless: str) -> list[Interval]:
 
 
 def zero(guard: Guard, low: Range, high: Range, side: int) -> Range:
-    """Return the one zero of a guard between two points, at the first of which it has the sign `side`.
+    """Return the one zero of a guard between two points.
+
+    At the first it has the sign `side`.
 
     Bisection until the slope has one sign, then Newton's method on enclosures, with bisection where
     it does not narrow them.
@@ -1484,7 +1514,10 @@ class Step:
 
 
 class FlightStep:
-    """A step from a time of a flight on; the flight begins with a zero of the gap of the order of the phase."""
+    """A step from a time of a flight on.
+
+    The flight begins with a zero of the gap of the order of the phase.
+    """
 
     def __init__(self, phase: Phase, tau: Range, end: Range | None) -> None:
         self.phase, self.tau = phase, tau
@@ -1502,7 +1535,10 @@ class FlightStep:
             self.length = (end - tau).largest() + Range(1)
 
     def _leap(self) -> bool:
-        """Whether the mass centre is too high for a landing, and stays so for long: then make the step so long."""
+        """Whether the mass centre is too high for a landing, and stays so for long.
+
+        Then make the step so long.
+        """
         phase, tau = self.phase, float(self.tau)
         rise, least, g = (
             float(phase.rise),
@@ -1562,7 +1598,10 @@ class FlightStep:
         return {GAP: Guard(found, last + Range(1), last * (2 * k) + Range(1))}
 
     def landing_rate(self, s: Range) -> Range:
-        """Return y′ where y = 0, in a step that begins with y = 0: less 2 y/τ, so that no radius doubles."""
+        """Return y′ where y = 0, in a step that begins with y = 0.
+
+        It is less 2 y/τ, so that no radius doubles.
+        """
         gap = self.guards[GAP]
         terms = [gap.coefficients[k] * (k - 1) for k in range(len(gap.coefficients) - 1, 1, -1)]
         return (at(terms, s) * s * s - self.phase.start.gap_rate).widened(gap.slope_off)
@@ -1588,7 +1627,10 @@ _MOST_OF_A_GLIDE = 1000
 
 @dataclass
 class Followed:
-    """A phase: its steps, what vanishes at its end, and the state there; without an end it rolls for ever."""
+    """A phase: its steps, what vanishes at its end, and the state there.
+
+    Without an end it rolls for ever.
+    """
 
     phase: Phase
     steps: list[AnyStep] = field(default_factory=list)
@@ -1628,7 +1670,10 @@ class Followed:
 
 
 def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
-    """Follow a phase to the zero of a guard, to the end of time, or until rolling repeats itself."""
+    """Follow a phase to the zero of a guard, to the end of time, or until it repeats itself.
+
+    Only rolling repeats itself.
+    """
     run, start = Followed(phase), phase.start
     limit = None if given.until is None else given.until - start.time
     if (
@@ -1691,7 +1736,10 @@ def _before(tau: Range, limit: Range | None) -> bool:
 def _turn(
     given: Given, step: Step, ahead: tuple[Range, Range], first: Range, turning: list[Range]
 ) -> Turn | None:
-    """Return period and angle once rolling has repeated itself: after a turn, or with the second turning point."""
+    """Return period and angle once rolling has repeated itself.
+
+    After a turn, or with the second turning point.
+    """
     theta, rate = ahead
     low, high = Range(0), Range(1 << Range.bits)
     if not given.balanced and not step.rate.is_zero() and step.rate.sign() * rate.sign() < 0:
@@ -1722,7 +1770,10 @@ INCONSISTENT, AMBIGUOUS = "inconsistent", "ambiguous"
 
 @dataclass(frozen=True)
 class Next:
-    """What follows, the numbers that decide it, and the order of the zero with which its slip or its gap begins."""
+    """What follows, and the numbers that decide it.
+
+    And the order of the zero with which its slip or its gap begins.
+    """
 
     mode: str
     direction: int
@@ -1731,9 +1782,12 @@ class Next:
 
 
 def decide(given: Given, state: State, gives_way: int = 0, *, starts: bool = False) -> Next:
-    """Decide what follows on the plane; static friction has just given way to this direction, if it is not 0.
+    """Decide what follows on the plane.
 
-    Rolling and flight may both be consistent: a start is then ambiguous, and all else keeps its contact.
+    Static friction has just given way to this direction, if it is not 0.
+
+    Rolling and flight may both be consistent: a start is then ambiguous, and all else keeps its
+    contact.
     """
     body, (s, c), omega = given.body, sine_and_cosine(state.theta), state.rate
     moving = state.slip.sign()
@@ -1883,7 +1937,10 @@ def impact(body: Body, before: State, e: Range, law: str) -> Impact:
 
 
 def slowest() -> Range:
-    """Return the gap rate down to which bounces are followed one by one: 2⁻¹⁵⁰, and less with more than 192 bits."""
+    """Return the gap rate down to which bounces are followed one by one.
+
+    It is 2⁻¹⁵⁰, and less with more than 192 bits.
+    """
     return Range(1 << (3 * Range.bits - 408) // 4)
 
 
@@ -1968,7 +2025,9 @@ def _demand(holds: bool, what: str) -> None:
 
 
 def bounce(given: Given, start: State, landing: State) -> Impact:
-    """Follow the impact after a flight; all rates of one that begins without slip are those over its gap rate v.
+    """Follow the impact after a flight.
+
+    All rates of one that begins without slip are those over its gap rate v.
 
     So the radius of v does not grow from bounce to bounce. With φ = ω τ and the series C = (cos φ −
     1 + φ²/2)/φ⁴, S = (φ − sin φ)/φ³, Q = (1 − cos φ)/φ², y = 0 gives τ/v = 2/(w + 2 h ω³ τ (c φ C +
@@ -2006,7 +2065,10 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
 
 
 def _rest_of_series(square: Range, first: int) -> Range:
-    """Return 1/n! − φ²/(n + 2)! + φ⁴/(n + 4)! − …, |φ| < 1: what is left out is less than the last term."""
+    """Return 1/n! − φ²/(n + 2)! + φ⁴/(n + 4)! − …, |φ| < 1.
+
+    What is left out is less than the last term.
+    """
     term = total = Range(1 << Range.bits) / math.factorial(first)
     n = first
     while exceeds(term.largest(), Range(64)):
@@ -2061,9 +2123,15 @@ class Walk:
     ) -> dict[str, list[str]]:
         """Return a state as a certificate has it."""
         values = {
-            "time": state.time, "theta": state.theta, "theta_rate": state.rate, "slip": state.slip, "x": state.x,
-            "gap": state.gap, "gap_rate": state.gap_rate, "energy": energy(self.given.body, state),
-        }  # fmt: skip
+            "time": state.time,
+            "theta": state.theta,
+            "theta_rate": state.rate,
+            "slip": state.slip,
+            "x": state.x,
+            "gap": state.gap,
+            "gap_rate": state.gap_rate,
+            "energy": energy(self.given.body, state),
+        }
         if where.endswith(PLANE):
             # θ′ is infinite there.
             del values["theta_rate"], values["energy"]
@@ -2074,8 +2142,10 @@ class Walk:
         given, state = self.given, self.given.start
         now = decide(given, state, starts=True) if state.gap_rate.is_zero() else _opening(state)
         initial = {
-            "mode": now.mode, "direction": now.direction, "evidence": self.evidence(now.evidence, "the start"),
-        }  # fmt: skip
+            "mode": now.mode,
+            "direction": now.direction,
+            "evidence": self.evidence(now.evidence, "the start"),
+        }
         start = energy(given.body, state)
         end: dict[str, Any] | None = None
         slow = False
@@ -2206,7 +2276,10 @@ class Walk:
         return "slip", decide(self.given, state, -1 if guard == UP else 1)
 
     def hit(self, cause: str, before: State) -> tuple[State, Next, bool]:
-        """Follow and write an impact; say whether the bounces after it are too slow to be listed."""
+        """Follow and write an impact.
+
+        Say whether the bounces after it are too slow to be listed.
+        """
         given = self.given
         assert given.restitution is not None
         hit = impact(given.body, before, given.restitution, given.law)
@@ -2253,8 +2326,10 @@ class Walk:
         lost = energy(given.body, first) - energy(given.body, end)
         self.impacts += lost
         numbers = {
-            "normal_impulse": normal + rest.normal, "friction_impulse": friction + rest.friction, "energy_lost": lost,
-        }  # fmt: skip
+            "normal_impulse": normal + rest.normal,
+            "friction_impulse": friction + rest.friction,
+            "energy_lost": lost,
+        }
         written = self.texts(numbers, f"the impact of event {len(self.events)}")
         case = "sticks" if end.slip.is_zero() else "slides"
         self.event("settle", end, following, impact={"case": case, **written})
@@ -2323,7 +2398,10 @@ W = TypeVar("W", bound=Walk)
 
 
 def followed(certificate: Any, kind: type[W], bits: tuple[int, ...] = BITS) -> W:
-    """Check a certificate, and return the walk that found the same, of a kind that may keep more of it."""
+    """Check a certificate, and return the walk that found the same.
+
+    Its kind may keep more of it.
+    """
     intact(certificate)
     case = certificate["case"]
     if not certificate["certified"]:
@@ -2359,7 +2437,8 @@ def _same(found: Any, claimed: Any, where: str) -> None:
         for key in [*found, *(key for key in claimed if key not in found)]:
             if (key in found) != (key in claimed):
                 raise Refused(
-                    f"{where or 'the certificate'} {'has no' if key in found else 'has'} {_shown(key)}"
+                    f"{where or 'the certificate'} {'has no' if key in found else 'has'} "
+                    f"{_shown(key)}"
                 )
             _same(found[key], claimed[key], f"{where}.{key}" if where else key)
     elif (

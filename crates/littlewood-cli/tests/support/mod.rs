@@ -5,6 +5,7 @@
     reason = "the reference has more digits than a double"
 )]
 
+pub(crate) mod csv;
 pub(crate) mod table;
 
 use std::collections::BTreeMap;

@@ -57,9 +57,10 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 
 /// A hoop prepared for many motions.
 ///
-/// The outcome, the sequence and the number of transitions of a motion are those of
-/// [`Hoop::simulate`]. Times, states and energies may differ from it in their last digits, and so
-/// between an engine for many starts and one for few.
+/// The codes and counts of a summary are those of [`Hoop::simulate`]: outcome, sequence, number of
+/// transitions and of landings, and whether a Painlevé paradox was met. Times, states and energies
+/// may differ from it in their last digits, and so between an engine for many starts and one for
+/// few. The repository's `docs/engine.md` has the bound of each column.
 ///
 /// This rests on an assumption about rounding. Each decision is the sign of a computed number. Where
 /// such a number is closer to zero than a bound on its rounding, the rules of the simulation decide
