@@ -226,13 +226,14 @@ impl Solver for Exact<'_> {
         body: &Heavy,
         direction: SlipDirection,
         entry: Entry,
+        may_lift_off: bool,
     ) -> PhaseResult<Self> {
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
         let budget = SlideBudget {
             time_left: self.allowed(state),
             steps: self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE),
         };
-        let (slide, end) = Sliding::run(law, *state, direction, entry, budget);
+        let (slide, end) = Sliding::run(law, *state, direction, entry, may_lift_off, budget);
         if slide.work() > MAX_STEPS_OF_EASY_SLIDE {
             self.steps
                 .set(self.steps.get().saturating_sub(slide.work()));

@@ -4,7 +4,8 @@
 //! Exact and tabulated phases, trajectories and summaries share one loop and one decision on the
 //! next motion. So the engine can differ from the simulation only in the solution of a phase.
 
-use crate::mechanics::{Contact, ContactVelocities, Impact, Settling};
+use crate::math::trig::Angle;
+use crate::mechanics::{Contact, ContactVelocities, Impact, MarginAtTop, Settling};
 use crate::model::{
     Body, Heavy, Hoop, Limits, Mode, Quantity, SlipDirection, State, length_of_slide,
     weight_of_slides,
@@ -31,6 +32,9 @@ struct Cursor<P> {
     last_slip: Option<LastSlip>,
     /// The direction of slip, if rolling has just ended in this slip.
     slip_out_of_rolling: Option<SlipDirection>,
+    /// Whether the motion slides without kinetic friction, on an orbit that does not leave the
+    /// plane. Rounding of later states must not decide otherwise.
+    stays_in_contact: bool,
 }
 
 impl<P> Cursor<P> {
@@ -48,6 +52,7 @@ impl<P> Cursor<P> {
             next,
             last_slip,
             slip_out_of_rolling: None,
+            stays_in_contact: false,
         }
     }
 
@@ -61,7 +66,21 @@ impl<P> Cursor<P> {
             next,
             last_slip: None,
             slip_out_of_rolling,
+            stays_in_contact: false,
         }
+    }
+
+    /// Whether a slide from here may lift off.
+    fn may_lift_off<T: Solver<Point = P>>(&mut self, solver: &T) -> bool {
+        let (NextMotion::Slide { body, .. }, true) = (&self.next, solver.hoop().mu_k() == 0.0)
+        else {
+            self.stays_in_contact = false;
+            return true;
+        };
+        let state = T::state(&self.point);
+        let at_top = || MarginAtTop::new(body, &state, Angle::of(state.theta));
+        self.stays_in_contact = self.stays_in_contact || !at_top().leaves_plane();
+        !self.stays_in_contact
     }
 }
 
@@ -334,6 +353,7 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
     log: &mut EventLog<'_, R>,
 ) -> Result<PhaseStep, T::Outcome> {
     cursor.slip_out_of_rolling = None;
+    let may_lift_off = cursor.may_lift_off(solver);
     let point = &cursor.point;
     let state = T::state(point);
     let (mode, result) = match &cursor.next {
@@ -342,7 +362,10 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
             body,
             direction,
             entry,
-        } => (Mode::Sliding, solver.slide(point, body, *direction, *entry)),
+        } => (
+            Mode::Sliding,
+            solver.slide(point, body, *direction, *entry, may_lift_off),
+        ),
         NextMotion::Fly { body, take_off } => (Mode::Flight, solver.fly(point, body, *take_off)),
         NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(point, body, *entry)),
         NextMotion::Settle { body, settling } => {

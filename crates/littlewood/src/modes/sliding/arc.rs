@@ -74,6 +74,8 @@ pub struct Sliding {
     /// Whole turns of the start, which restore its angle exactly.
     turns: WholeTurns,
     path: SlidePath,
+    /// Whether w may fall below zero: a computed zero may be rounding.
+    may_lift_off: bool,
     steps: Vec<TaylorStep>,
     leaps: Vec<TurnSkip>,
     attempts: usize,
@@ -251,9 +253,13 @@ impl Sliding {
         start: State,
         direction: SlipDirection,
         entry: Entry,
+        may_lift_off: bool,
         budget: SlideBudget,
     ) -> (Self, SlidingEnd) {
-        let mut slide = Self::new(law, start, direction);
+        let mut slide = Self {
+            may_lift_off,
+            ..Self::new(law, start, direction)
+        };
         let end = if law.is_singular(slide.start.theta) {
             slide.unresolved_start()
         } else {
@@ -270,6 +276,7 @@ impl Sliding {
             start: State { theta, ..start },
             turns,
             path: law.path(ContactMotion::of(&start), start.theta.angle()),
+            may_lift_off: true,
             steps: Vec::new(),
             leaps: Vec::new(),
             attempts: 0,
@@ -327,7 +334,7 @@ impl Sliding {
         let StepWidth { width, is_last } = self.step_width(&series, here, budget)?;
         let step = TaylorStep::new(&here, &series);
         self.steps.push(step);
-        if let Some((at, event)) = first_event(&series, self.direction.sign(), known_roots, width) {
+        if let Some((at, event)) = self.first_event(&series, known_roots, width) {
             return ControlFlow::Break(self.end_at(event, step.at(at)));
         }
         let reached = self.with_energy(series.point(width));
@@ -435,6 +442,29 @@ impl Sliding {
             width: reach,
             is_last: false,
         })
+    }
+
+    /// The first of the three events within a step, if any.
+    fn first_event(
+        &self,
+        series: &SlideSeries,
+        known_roots: usize,
+        width: f64,
+    ) -> Option<(f64, Event)> {
+        let sign = self.direction.sign();
+        let mut slip = [0.0; DEGREE + 1];
+        for (deflated, c) in slip.iter_mut().zip(&series.slip[known_roots..]) {
+            *deflated = sign * c;
+        }
+        let rest = crossing(&slip, width).map(|at| (at, Event::Rest));
+        let lift_off = crossing(&series.contact, width)
+            .filter(|_| self.may_lift_off)
+            .map(|at| (at, Event::LiftOff));
+        let singular = crossing(&series.painleve, width).map(|at| (at, Event::Singular));
+        [rest, lift_off, singular]
+            .into_iter()
+            .flatten()
+            .min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     fn end_at(&mut self, event: Event, point: SlidePoint) -> SlidingEnd {
@@ -893,26 +923,6 @@ impl Sliding {
 fn max_step(steps: usize) -> f64 {
     let doublings = steps.saturating_sub(STEPS_BEFORE_DOUBLING).min(60);
     (0..doublings).fold(INITIAL_MAX_STEP, |longest, _| 2.0 * longest)
-}
-
-/// The first of the three events within a step, if any.
-fn first_event(
-    series: &SlideSeries,
-    sign: f64,
-    known_roots: usize,
-    width: f64,
-) -> Option<(f64, Event)> {
-    let mut slip = [0.0; DEGREE + 1];
-    for (deflated, c) in slip.iter_mut().zip(&series.slip[known_roots..]) {
-        *deflated = sign * c;
-    }
-    let rest = crossing(&slip, width).map(|at| (at, Event::Rest));
-    let lift_off = crossing(&series.contact, width).map(|at| (at, Event::LiftOff));
-    let singular = crossing(&series.painleve, width).map(|at| (at, Event::Singular));
-    [rest, lift_off, singular]
-        .into_iter()
-        .flatten()
-        .min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 #[cfg(test)]
