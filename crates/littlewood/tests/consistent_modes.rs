@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use crate::common::dd::Dd;
 use crate::common::{engines, instants};
-use littlewood::modes::PhaseSolution;
+use littlewood::modes::{Margin, PhaseSolution, Undecided};
 use littlewood::theory::{Body, Classification, SlidingLaw, StartRegion};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Phase, Proof, Restitution,
@@ -1226,11 +1226,25 @@ fn a_slip_at_the_zero_of_p_is_unresolved() {
         }
         for digits in [-1, 0, 1] {
             let hoop = of(beside(zero, digits));
-            let kind = hoop
-                .simulate(start, Limits::until(1.0))
-                .expect("a start")
-                .outcome()
-                .kind();
+            let motion = hoop.simulate(start, Limits::until(1.0)).expect("a start");
+            let outcome = motion.outcome();
+            let kind = outcome.kind();
+            if let Outcome::Unresolved { undecided, .. } = outcome {
+                // P is Î and two terms that cancel it.
+                let Undecided::Rounding {
+                    margin: Margin::Painleve,
+                    value,
+                    bound,
+                } = undecided
+                else {
+                    panic!("{undecided:?}")
+                };
+                let terms = own + m * h * sin * (h * sin + zero * (1.0 + h * cos));
+                assert!(
+                    value.abs() <= bound && bound < 1e-14 * terms,
+                    "{undecided:?}"
+                );
+            }
             let expected = if w > 0.0 {
                 OutcomeKind::Unresolved
             } else {

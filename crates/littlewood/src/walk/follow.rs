@@ -7,10 +7,10 @@
 use crate::math::trig::Angle;
 use crate::mechanics::{Contact, ContactVelocities, Impact, MarginAtTop, Settling};
 use crate::model::{
-    Body, Heavy, Hoop, Limits, Mode, Quantity, SlipDirection, State, length_of_slide,
-    weight_of_slides,
+    Body, Heavy, Hoop, Limits, MAX_COORDINATE, Mode, Quantity, SlipDirection, State,
+    length_of_slide, weight_of_slides,
 };
-use crate::modes::{RollingLimit, SlideLimit, TakeOff};
+use crate::modes::{RollingLimit, SlideLimit, TakeOff, Undecided};
 use crate::walk::solver::SkipBudget;
 use crate::walk::{
     Arrival, Cause, Event, LastSlip, NextMotion, Outcome, PhaseDetail, PhaseEnd, PhaseRecord,
@@ -148,7 +148,7 @@ enum Rebound {
     /// The motion goes on after it.
     Continues { event: Event, impact: Impact },
     /// The state after it is not representable, so the motion ends before it.
-    Unresolved(Event),
+    Unresolved { event: Event, undecided: Undecided },
     /// No rebound: the hoop has no coefficient of restitution, or does not slip where P ≤ 0.
     None,
 }
@@ -512,9 +512,12 @@ fn rebound_or_end<S, O: From<Outcome>>(
                 theta_range: None,
             });
         }
-        Rebound::Unresolved(event) => MotionEnd {
+        Rebound::Unresolved { event, undecided } => MotionEnd {
             event: Some(event),
-            outcome: Outcome::Unresolved { state: event.state },
+            outcome: Outcome::Unresolved {
+                state: event.state,
+                undecided,
+            },
         },
         Rebound::None => end,
     };
@@ -603,17 +606,20 @@ fn land<T: Solver>(
         return Rebound::None;
     };
     let event = Event::new(state, Mode::Flight, Cause::Landing);
-    let coordinates = [
+    // After a flight of many turns the angle may exceed the bound of a start.
+    for (quantity, value) in [
         (Quantity::Time, state.time),
         (Quantity::Theta, state.theta),
         (Quantity::X, state.x),
-    ];
-    if coordinates
-        .into_iter()
-        .any(|(quantity, value)| quantity.check(value).is_err())
-    {
-        // After a flight of many turns the angle may exceed the bound of a start.
-        return Rebound::Unresolved(event);
+    ] {
+        if quantity.check(value).is_err() {
+            let undecided = Undecided::Range {
+                quantity,
+                value,
+                bound: MAX_COORDINATE,
+            };
+            return Rebound::Unresolved { event, undecided };
+        }
     }
     // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
@@ -681,8 +687,15 @@ fn after_impact<T: Solver>(
         slip,
         gap_rate,
     } = impact.after;
-    if !(theta_rate + slip + gap_rate).is_finite() {
-        return Rebound::Unresolved(event);
+    for (quantity, value) in [
+        (Quantity::ThetaRate, theta_rate),
+        (Quantity::Slip, slip),
+        (Quantity::GapRate, gap_rate),
+    ] {
+        if !value.is_finite() {
+            let undecided = Undecided::overflow(quantity, value);
+            return Rebound::Unresolved { event, undecided };
+        }
     }
     cursor.point = solver.point(state);
     cursor.next = if gap_rate > 0.0 {

@@ -9,7 +9,7 @@ use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Heavy, Hoop, MAX_TIME, Mode, SlipDirection, State};
-use crate::modes::{Instant, Recurrence, Sample};
+use crate::modes::{Instant, Margin, Recurrence, Sample, Undecided};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, ProvedTurns, section_of};
 use super::onset::Onset;
@@ -53,7 +53,7 @@ pub(crate) enum SlidingEnd {
     Singular(State),
     /// The time scale falls below double precision: away from P = 0, or next to P = 0 where
     /// rounding decides the outcome.
-    Unresolved(State),
+    Unresolved { state: State, undecided: Undecided },
     /// The limit of steps or of turns; with an estimate of the time until η′ = 0.
     StepLimit { state: State, time_left: f64 },
     /// The time limit.
@@ -301,7 +301,21 @@ impl Sliding {
     fn unresolved_start(&mut self) -> SlidingEnd {
         let here = self.first_point();
         self.steps.push(TaylorStep::straight(&here, &here, 0.0));
-        SlidingEnd::Unresolved(self.state_from(here))
+        self.unresolved(here, self.painleve_at(here))
+    }
+
+    fn unresolved(&self, here: SlidePoint, undecided: Undecided) -> SlidingEnd {
+        let state = self.state_from(here);
+        SlidingEnd::Unresolved { state, undecided }
+    }
+
+    fn painleve_at(&self, here: SlidePoint) -> Undecided {
+        let theta = here.place.theta;
+        Undecided::Rounding {
+            margin: Margin::Painleve,
+            value: self.law.painleve(theta),
+            bound: self.law.painleve_rounding(theta),
+        }
     }
 
     fn integrate(
@@ -413,13 +427,19 @@ impl Sliding {
                 time_left: self.time_left(&here),
             });
         }
-        if reach <= MIN_RELATIVE_STEP * (self.start.time + here.elapsed).abs().max(1.0) {
+        let resolution = MIN_RELATIVE_STEP * (self.start.time + here.elapsed).abs().max(1.0);
+        if reach <= resolution {
+            let undecided = Undecided::Rounding {
+                margin: Margin::TimeScale,
+                value: reach,
+                bound: resolution,
+            };
             // P ≥ Î except where it tends to zero.
             let is_near_zero = series.painleve[0] < 0.5 * self.law.body.inertia;
             return ControlFlow::Break(if is_near_zero {
-                self.singular_end(here)
+                self.singular_end(here, undecided)
             } else {
-                SlidingEnd::Unresolved(self.state_from(here))
+                self.unresolved(here, undecided)
             });
         }
         if let Some(time_left) = budget.time_left
@@ -474,7 +494,7 @@ impl Sliding {
                 ..self.state_from(point)
             }),
             Event::LiftOff => SlidingEnd::LiftOff(self.state_from(point)),
-            Event::Singular => self.singular_end(point),
+            Event::Singular => self.singular_end(point, self.painleve_at(point)),
         }
     }
 
@@ -500,17 +520,18 @@ impl Sliding {
         self.recurrence(series, &here, &next)
     }
 
-    /// The end next to P = 0, with the limits of θ′ and η′ at fixed angle and time.
-    fn singular_end(&mut self, here: SlidePoint) -> SlidingEnd {
+    /// The end next to P = 0, with the limits of θ′ and η′ at fixed angle and time; `otherwise` says
+    /// why it is unresolved where P = 0 is not the cause.
+    fn singular_end(&mut self, here: SlidePoint, otherwise: Undecided) -> SlidingEnd {
         let approach = self.approach(&here);
-        let Some(SingularEnd {
+        let SingularEnd {
             fate,
             rate,
             delta_theta,
             delta_time,
-        }) = approach.end(self.point_before(&here))
-        else {
-            return SlidingEnd::Unresolved(self.state_from(here));
+        } = match approach.end(self.point_before(&here)) {
+            Ok(end) => end,
+            Err(undecided) => return self.unresolved(here, undecided.unwrap_or(otherwise)),
         };
         let theta = here.place.theta + delta_theta;
         let (sin, cos) = libm::sincos(theta);
@@ -961,9 +982,9 @@ mod tests {
             SlidingEnd::LiftOff(state) => Some((1, state)),
             SlidingEnd::Singular(state) => Some((2, state)),
             SlidingEnd::TimeLimit(state) => Some((3, state)),
-            SlidingEnd::Unresolved(_) | SlidingEnd::StepLimit { .. } | SlidingEnd::Endless(_) => {
-                None
-            }
+            SlidingEnd::Unresolved { .. }
+            | SlidingEnd::StepLimit { .. }
+            | SlidingEnd::Endless(_) => None,
         }
     }
 
