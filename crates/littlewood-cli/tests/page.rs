@@ -127,6 +127,8 @@ fn a_phase_that_is_stopped_says_by_what() {
         let flags = flags.split_whitespace().chain([until]);
         let page = text(&flags.collect::<Vec<_>>());
         assert_eq!(words(rows(&page)[0]).last(), Some(&end), "{page}");
+        let says_why = page.contains("it depends on") && page.contains("with rounding up to");
+        assert_eq!(says_why, end == "unresolved", "{page}");
     }
 }
 

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use crate::common::dd::Dd;
 use crate::common::{engines, instants};
-use littlewood::modes::PhaseSolution;
+use littlewood::modes::{Margin, PhaseSolution, Undecided};
 use littlewood::theory::{Body, Classification, SlidingLaw, StartRegion};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Phase, Proof, Restitution,
@@ -1063,6 +1063,96 @@ fn a_start_on_the_limit_of_contact_goes_to_the_side_that_comes_next() {
     assert!(contact > 500 && flying > 500, "{contact} {flying}");
 }
 
+/// On a slope N = F = 0 at once where the particle is vertically above the centre, at the rate of
+/// lift-off: the first derivatives of w, N and F of Newton's and Euler's equations decide.
+#[test]
+fn a_start_in_free_fall_on_a_slope_goes_to_the_side_that_comes_next() {
+    let (mut seen, mut wrong) = ([0; 4], Vec::new());
+    for case in 0..3_000 {
+        let mut draw = Draw::of_case(52, 0, case);
+        let mu_s = draw.one_of(&[0.0, draw.clone().between([0.0, 2.0])]);
+        let slope = draw.one_of(&[-1.0, 1.0]) * draw.between([0.02, 1.4]);
+        let parameters = HoopParameters::thin(draw.between([0.0, 2.0]))
+            .with_offset(draw.between([0.1, 1.0]))
+            .with_inertia(draw.between([0.01, 1.0]))
+            .with_slope(slope)
+            .with_friction(mu_s, mu_s * draw.one_of(&[1.0, draw.clone().share()]));
+        let hoop = Hoop::new(parameters).expect("a hoop");
+        let limit = (1.0 / hoop.h()).sqrt();
+        let side = draw.one_of(&[-1.0, 1.0]);
+        let start = Start::at(-slope, side * limit);
+        let time = 1e-4 / limit;
+        let [early, late] = [0.5, 1.0].map(|part| {
+            let state = Contact::Rolls.after(&hoop, &start, (part * time, 24));
+            let of = balances(&hoop, &Start::at(state[0], state[1]));
+            let [_, n, f] = solve([of.spin, of.normal, of.friction], of.right);
+            let [_, opening, _] = solve([of.spin, of.gap, of.slip], of.right);
+            [opening, n, f, f.abs() - mu_s * n]
+        });
+        // The first derivatives have to decide so soon.
+        if early
+            .iter()
+            .zip(late)
+            .any(|(early, late)| (late / early - 2.0).abs() > 0.01)
+        {
+            continue;
+        }
+        let [opening, n, f, excess] = late;
+        // The closed form of the page.
+        let Body::Heavy(body) = hoop.body() else {
+            panic!("heavy")
+        };
+        let (m, h, own) = (body.mass, body.h, body.inertia);
+        let (sin, cos) = libm::sincos(slope);
+        let demand =
+            (m * h * sin * sin - own * cos).abs() / (sin.abs() * (own + m * (1.0 + h * cos)));
+        assert!((f.abs() / n.abs() - demand).abs() < 0.02 * (1.0 + demand));
+        let expected = if opening > 0.0 {
+            // N and w fall together: no wedge.
+            assert!(n < 0.0, "{hoop:?} {start:?}");
+            (Mode::Flight, None)
+        } else if n > 0.0 && excess <= 0.0 {
+            (Mode::Rolling, None)
+        } else {
+            (Mode::Sliding, SlipDirection::of_sign(-f))
+        };
+        seen[match expected {
+            (Mode::Flight, _) => 0,
+            (Mode::Rolling, _) => 1,
+            (_, Some(SlipDirection::Negative)) => 2,
+            _ => 3,
+        }] += 1;
+        for digits in -2..=2 {
+            let start = Start::at(-slope, side * beside(limit, digits));
+            let found = phases_until(&hoop, start, time);
+            let limits = Limits::until(time);
+            let motion = hoop.simulate(start, limits).expect("a start").summary();
+            let is_same = found == [expected]
+                && said(&hoop.classify(start).expect("a start")) == [expected]
+                && engines(&hoop).iter().all(|engine| {
+                    let summary = engine.summary(start, limits).expect("a start");
+                    (summary.outcome, summary.sequence) == (motion.outcome, motion.sequence)
+                });
+            if !is_same {
+                wrong.push(format!(
+                    "{case} {digits}: {found:?}, not {expected:?}: {hoop:?} {start:?}"
+                ));
+            }
+        }
+    }
+    println!(
+        "{seen:?} fly, roll, slide to either side, {} differ",
+        wrong.len()
+    );
+    assert!(
+        wrong.is_empty(),
+        "{} of {seen:?} differ: {:#?}",
+        wrong.len(),
+        &wrong[..wrong.len().min(5)]
+    );
+    assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
+}
+
 /// A massless hoop on a limit of rolling: the coefficient of friction that it needs, or a rate at
 /// which N = 0.
 fn massless_start_on_limit(draw: &mut Draw) -> Option<(Hoop, Start)> {
@@ -1226,11 +1316,25 @@ fn a_slip_at_the_zero_of_p_is_unresolved() {
         }
         for digits in [-1, 0, 1] {
             let hoop = of(beside(zero, digits));
-            let kind = hoop
-                .simulate(start, Limits::until(1.0))
-                .expect("a start")
-                .outcome()
-                .kind();
+            let motion = hoop.simulate(start, Limits::until(1.0)).expect("a start");
+            let outcome = motion.outcome();
+            let kind = outcome.kind();
+            if let Outcome::Unresolved { undecided, .. } = outcome {
+                // P is Î and two terms that cancel it.
+                let Undecided::Rounding {
+                    margin: Margin::Painleve,
+                    value,
+                    bound,
+                } = undecided
+                else {
+                    panic!("{undecided:?}")
+                };
+                let terms = own + m * h * sin * (h * sin + zero * (1.0 + h * cos));
+                assert!(
+                    value.abs() <= bound && bound < 1e-14 * terms,
+                    "{undecided:?}"
+                );
+            }
             let expected = if w > 0.0 {
                 OutcomeKind::Unresolved
             } else {

@@ -382,7 +382,9 @@ fn impacts_of_hoops_of_next_to_no_inertia_leave_no_state_that_is_no_number() {
                     );
                 }
             }
-            if let Outcome::Unresolved { state } = motion.outcome() {
+            if let Outcome::Unresolved { state, undecided } = motion.outcome() {
+                let [value, bound] = undecided.compared();
+                assert!(!(value.abs() <= bound), "{undecided:?}");
                 assert!(
                     numbers(&[state.theta_rate, state.slip]),
                     "{inertia} {law:?} {state:?}"
@@ -407,10 +409,16 @@ fn an_impact_at_an_angle_that_is_not_resolved_is_none() {
     let motion = hoop
         .simulate(start, Limits::default())
         .expect("a valid start");
-    let Outcome::Unresolved { state } = motion.outcome() else {
+    let Outcome::Unresolved { state, undecided } = motion.outcome() else {
         panic!("{:?}", motion.outcome())
     };
     assert!(state.theta > 1e9);
+    assert_eq!(undecided.names().0, "theta");
+    let [value, bound] = undecided.compared();
+    assert!(
+        (value - state.theta).abs() < 40.0 && bound == 1e9,
+        "{undecided:?}"
+    );
     let landing = motion.transitions().last().expect("lands");
     assert_eq!(
         (landing.cause, landing.to, landing.impact),
@@ -493,11 +501,10 @@ fn a_massless_hoop_whose_particle_is_at_the_plane_but_for_rounding_is_unresolved
     let motion = hoop
         .simulate(start, Limits::default())
         .expect("a valid start");
-    assert!(
-        matches!(motion.outcome(), Outcome::Unresolved { .. }),
-        "{:?}",
-        motion.outcome()
-    );
+    let Outcome::Unresolved { undecided, .. } = motion.outcome() else {
+        panic!("{:?}", motion.outcome())
+    };
+    assert_eq!(undecided.names().0, "theta_rate");
     assert!(motion.transitions().is_empty());
 }
 

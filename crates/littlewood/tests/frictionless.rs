@@ -5,6 +5,7 @@ use crate::common::{engines, heavy_hoop, start};
 use littlewood::modes::Recurrence;
 use littlewood::theory::Body;
 use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Start, State};
+use littlewood_random::Draw;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -528,6 +529,92 @@ proptest! {
             let (before, after) = (energy(&slip), energy(&now));
             let size = (body.inertia + body.mass) * rate * rate;
             prop_assert!((before - after).abs() < 8.0 * digit * size, "{before} {after}");
+        }
+    }
+}
+
+/// Without kinetic friction Î u + m h² s² u + 2 m h c is constant, on a slope, too, so that w at the
+/// top is the same number in each turn. A hoop that only touches w = 0 there stays on the plane; a
+/// part in 1e9 decides.
+#[test]
+fn an_orbit_that_touches_the_limit_of_contact_at_the_top_stays_on_the_plane() {
+    let (mut turns, mut lifts) = (0, 0);
+    for case in 0..400 {
+        let mut draw = Draw::of_case(51, 0, case);
+        let parameters = HoopParameters::thin(draw.between([0.0, 3.0]))
+            .with_offset(draw.between([0.1, 1.0]))
+            .with_inertia(draw.one_of(&[1e-3, draw.clone().between([0.05, 3.0])]))
+            .with_slope(draw.one_of(&[0.0, draw.clone().between([-1.0, 1.0])]));
+        let hoop = Hoop::new(parameters).expect("a valid hoop");
+        let Body::Heavy(body) = hoop.body() else {
+            unreachable!("heavy")
+        };
+        let (m, h, own) = (body.mass, body.h, body.inertia);
+        let theta = draw.one_of(&[0.0, draw.clone().between([-3.1, 3.1])]);
+        let (sin, cos) = theta.sin_cos();
+        let energy = own / h + 2.0 * m * h * (1.0 - cos);
+        let u = hoop.slope().cos() * energy / (own + m * h * h * sin * sin);
+        let rate = draw.one_of(&[-1.0, 1.0]) * u.sqrt();
+        // From rest at the top the slip touches zero in each turn, and rounding tells whether.
+        let slip = draw.one_of(&[0.0, draw.clone().between([-2.0, 2.0])]);
+        let slip = if theta == 0.0 { 0.5 } else { slip };
+        for part in [-1e-9, 0.0, 1e-9] {
+            let start = Start::at(theta, rate * (1.0 + part)).with_slip(slip);
+            let limits = Limits::until(60.0).with_transitions(300);
+            let motion = hoop.simulate(start, limits).expect("a valid start");
+            let end = motion.outcome();
+            let lift_off = motion
+                .transitions()
+                .iter()
+                .find(|it| it.cause == Cause::LiftOff);
+            let leaves = motion.phases()[0].mode() == Mode::Flight;
+            if part > 0.0 {
+                let behind = lift_off.map_or(0.0, |it| it.before.theta - theta);
+                assert!(lift_off.is_some() || leaves, "{hoop:?} {start:?}");
+                assert!(behind.abs() <= TAU, "{hoop:?} {start:?}");
+                lifts += 1;
+            } else {
+                assert!(!leaves && lift_off.is_none(), "{hoop:?} {start:?}");
+                turns += (end.state().theta / TAU).abs() as u32;
+            }
+            let exact = motion.summary();
+            for engine in engines(&hoop) {
+                let found = engine.summary(start, limits).expect("a valid start");
+                assert_eq!(
+                    (found.outcome, found.transitions, found.sequence),
+                    (exact.outcome, exact.transitions, exact.sequence),
+                    "{hoop:?} {start:?}"
+                );
+            }
+        }
+    }
+    assert!(turns > 2_000 && lifts == 400, "{turns} {lifts}");
+}
+
+/// From η′ = 0 and w = 0 at the top η′ is even in θ, with static friction, too, since N = F = 0
+/// there: at the top it does not reverse.
+#[test]
+fn a_slip_from_the_top_at_the_rate_of_lift_off_does_not_reverse_there() {
+    for mu_s in [0.0, 0.3] {
+        let parameters = HoopParameters::thin(0.0)
+            .with_offset(0.5)
+            .with_inertia(1e-3)
+            .with_friction(mu_s, 0.0);
+        let hoop = Hoop::new(parameters).expect("a valid hoop");
+        let start = Start::at(0.0, std::f64::consts::SQRT_2);
+        let motion = hoop
+            .simulate(start, Limits::until(50.0))
+            .expect("a valid start");
+        assert!(motion.transitions().len() > 20, "{motion:?}");
+        for event in motion.transitions() {
+            let turns = event.before.theta / TAU;
+            let is_at_top = (turns - turns.round()).abs() < 1e-3;
+            let expected = if is_at_top {
+                Cause::Graze
+            } else {
+                Cause::Reversal
+            };
+            assert_eq!(event.cause, expected, "{event:?}");
         }
     }
 }

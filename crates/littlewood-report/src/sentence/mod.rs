@@ -4,7 +4,7 @@ mod impact;
 
 use core::f64::consts::TAU;
 
-use littlewood::modes::{PhaseSolution, Recurrence, SlideLimit};
+use littlewood::modes::{PhaseSolution, Recurrence, SlideLimit, Undecided};
 use littlewood::tables::Dimension;
 use littlewood::theory::{Candidates, ContactForces, RollingLaw};
 use littlewood::{Cause, Hoop, Mode, Outcome, Phase, Sample, Trajectory, Transition};
@@ -193,9 +193,7 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             let found = consistent(&candidates, ", ");
             format!("{NO_ANSWER}: several motions are consistent, {found}; {rolling}; {sliding}.")
         }
-        Outcome::Unresolved { .. } => {
-            "From here the motion changes faster than double precision resolves.".to_owned()
-        }
+        Outcome::Unresolved { undecided, .. } => unresolved(&undecided, scale),
         event @ (Outcome::Landing { .. }
         | Outcome::ParticleAtPlane { .. }
         | Outcome::ParticleAtBottom { .. }
@@ -233,6 +231,23 @@ fn stopped_slide(limit: &SlideLimit, scale: Scale<'_>) -> String {
         SlideLimit::One { steps, time_left } => format!(
             "Stopped after {steps} steps of a slide: at its pace it would stick after another {}.",
             scale.show_with_unit(Dimension::Time, three(*time_left))
+        ),
+    }
+}
+
+fn unresolved(undecided: &Undecided, scale: Scale<'_>) -> String {
+    let (_, name) = undecided.names();
+    let [value, bound] = undecided
+        .compared()
+        .map(|number| scale.show_with_unit(undecided.dimension(), three(number)));
+    match undecided {
+        Undecided::Rounding { .. } => format!(
+            "From here doubles do not resolve the motion: it depends on {name}, which is {value}, \
+             with rounding up to {bound}."
+        ),
+        Undecided::Range { .. } => format!(
+            "From here doubles do not resolve the motion: {name} would be {value}, with a bound of \
+             {bound}."
         ),
     }
 }

@@ -4,7 +4,9 @@ use core::cell::Cell;
 
 use crate::ablation::{Part, is_on};
 use crate::math::trig::Angle;
-use crate::mechanics::{ContactMotion, FrictionlessIntegrals, Loads, Settling, contact};
+use crate::mechanics::{
+    ContactMotion, FrictionlessIntegrals, Loads, MarginAtTop, Settling, contact,
+};
 use crate::model::{Heavy, Hoop, Limits, Massless, SlipDirection, State};
 use crate::modes::{
     Entry, Flight, ForceRounding, GlideEntry, PhasePoint, RollingLimit, Stiction, TakeOff,
@@ -625,6 +627,7 @@ impl Solver for FastSolver<'_> {
         body: &Heavy,
         direction: SlipDirection,
         entry: Entry,
+        may_lift_off: bool,
     ) -> PhaseResult<Self> {
         let state = place.state;
         let is_conservative = self.hoop.mu_k() == 0.0;
@@ -632,15 +635,17 @@ impl Solver for FastSolver<'_> {
             self.model.fallbacks.add(reason);
             // As the simulation has it, but for the last digits of an acceleration from which it
             // begins.
-            let solved = self.exact.slide(&state, body, direction, entry);
+            let solved = self
+                .exact
+                .slide(&state, body, direction, entry, may_lift_off);
             if entry != Entry::Moving && entry != ON_LIMIT {
                 self.add_phase_error(&state);
             }
             Self::from_exact(solved)
         };
-        if let Some(result) =
-            self.not_computed(state, |exact| exact.slide(&state, body, direction, entry))
-        {
+        if let Some(result) = self.not_computed(state, |exact| {
+            exact.slide(&state, body, direction, entry, may_lift_off)
+        }) {
             return result;
         }
         if is_out_of_range(state.theta) {
@@ -657,6 +662,13 @@ impl Solver for FastSolver<'_> {
         }
         if is_conservative && entry == ON_LIMIT {
             // A zero of a higher order, which the simulation divides out.
+            return left_to_the_simulation(Fallback::Cancelled);
+        }
+        let at_top = MarginAtTop::new(body, &state, place.angle);
+        let is_decided = self.sign_is_certain(at_top.value, 1.0 + at_top.terms)
+            && (at_top.value < 0.0) == may_lift_off;
+        if is_conservative && !is_decided {
+            // Whether the hoop leaves the plane before the top.
             return left_to_the_simulation(Fallback::Cancelled);
         }
         if is_conservative && is_next_to_equilibrium(body, place) {

@@ -537,16 +537,20 @@ impl SlidingLaw {
         self.p(sin, self.q(1.0, sin, cos))
     }
 
-    /// Whether P = 0, but for rounding. Next to it the motion depends on the logarithm of P. A term
-    /// of P has at most 16 roundings.
+    /// Whether P = 0, but for rounding. Next to it the motion depends on the logarithm of P.
     pub(crate) fn is_singular(&self, theta: f64) -> bool {
+        self.painleve(theta).abs() <= self.painleve_rounding(theta)
+    }
+
+    /// Bound of the rounding of P. A term has at most 16 roundings.
+    pub(crate) fn painleve_rounding(&self, theta: f64) -> f64 {
         let Heavy {
             mass, h, inertia, ..
         } = self.body;
         let Angle { sin, cos } = theta.angle();
         let arm = h * sin.abs();
         let terms = inertia + mass * arm * (arm + self.friction.abs() * (1.0 + h * cos));
-        self.painleve(theta).abs() <= 8.0 * f64::EPSILON * terms
+        8.0 * f64::EPSILON * terms
     }
 
     /// N = Î m w/P and F = −μk σ N (2.15, 2.18).

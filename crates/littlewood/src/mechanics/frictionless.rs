@@ -1,6 +1,7 @@
 //! First integrals of slides without kinetic friction, and the zeros of η′ that they determine.
 
 use crate::math::trig::{Angle, above_bottom};
+use crate::mechanics::contact;
 use crate::model::{Heavy, State};
 
 /// Longest first step of Newton's method, rad: a longer one may lead to another zero.
@@ -111,6 +112,51 @@ impl FrictionlessIntegrals {
         } else {
             from_momentum
         }
+    }
+}
+
+/// w at the top of a slide without kinetic friction, where it is least.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MarginAtTop {
+    pub(crate) value: f64,
+    /// The sum of the sizes of its terms besides 1.
+    pub(crate) terms: f64,
+    /// Its change with the angle, times the angle.
+    by_angle: f64,
+}
+
+impl MarginAtTop {
+    /// 1 − h u − (m h²/Î) (h s² u − 2 (1 − c)) with the u of the state, since C is conserved: on a
+    /// slope, too, whose pull along the plane does not turn a hoop.
+    pub(crate) fn new(body: &Heavy, state: &State, angle: Angle) -> Self {
+        let Heavy {
+            mass, h, inertia, ..
+        } = *body;
+        let Angle { sin, cos } = angle;
+        let below_top = above_bottom(Angle { sin, cos: -cos });
+        let u = state.theta_rate * state.theta_rate;
+        let coupling = mass * h * h / inertia;
+        let (outward, turning, fallen) = (
+            h * u,
+            coupling * h * sin * sin * u,
+            2.0 * coupling * below_top,
+        );
+        let w = contact(1.0, h, cos * u);
+        Self {
+            value: 1.0 - outward - (turning - fallen),
+            terms: outward + turning + fallen,
+            by_angle: 2.0 * coupling * (sin * w * state.theta).abs(),
+        }
+    }
+
+    /// Whether the hoop leaves the plane before the top. Where w vanishes there, but for rounding,
+    /// it only touches zero, since w″ > 0; and after each turn w is the same number.
+    ///
+    /// A term has at most 34 roundings: 12 of m h²/Î, 2 of h, 5 of a squared sine, 9 of θ′², with
+    /// the unit of time of a slope, 3 products and 3 sums. A state that has itself been computed has
+    /// as many, from the energy. The angle is rounded, too.
+    pub(crate) fn leaves_plane(&self) -> bool {
+        self.value < -0.5 * f64::EPSILON * (68.0 * self.terms + self.by_angle)
     }
 }
 

@@ -18,7 +18,7 @@ pub(crate) use self::equations::{
     SlidingLaw, contact, contact_rounding, energy, energy_at, energy_of, leaves_plane,
     slip_acceleration_at_rest,
 };
-pub(crate) use self::frictionless::{FrictionlessIntegrals, converge};
+pub(crate) use self::frictionless::{FrictionlessIntegrals, MarginAtTop, converge};
 pub(crate) use self::impact::{Contact, ContactVelocities, Impact, ImpactCase, Impulse};
 pub(crate) use self::lift_off::ContactProof;
 pub(crate) use self::settling::{BounceConditions, Bounces, Settling};

@@ -384,10 +384,13 @@ impl Solver for PerturbedSolver<'_> {
         body: &Heavy,
         direction: SlipDirection,
         entry: Entry,
+        may_lift_off: bool,
     ) -> PhaseResult<Self> {
         let perturbed_start = self.perturbed_start(state);
         let mut from = perturbed_start;
-        let mut solved = self.exact.slide(&perturbed_start, body, direction, entry);
+        let mut solved = self
+            .exact
+            .slide(&perturbed_start, body, direction, entry, may_lift_off);
         // Rounding on the way may grow more than rounding at the start.
         for pieces in (2..=PERTURBATIONS_PER_SLIDE).rev() {
             let (PhaseSolution::Sliding(slide), Some(end)) =
@@ -411,7 +414,9 @@ impl Solver for PerturbedSolver<'_> {
                 break;
             }
             from = cut;
-            solved = self.exact.slide(&from, body, direction, Entry::Moving);
+            solved = self
+                .exact
+                .slide(&from, body, direction, Entry::Moving, may_lift_off);
         }
         self.perturbed(
             &State {

@@ -3,10 +3,12 @@
 use core::cell::Cell;
 
 use crate::mechanics::{Settling, SlidingLaw};
-use crate::model::{Heavy, Hoop, Limits, Massless, Proof, SlipDirection, State};
+use crate::model::{
+    Heavy, Hoop, Limits, MAX_COORDINATE, Massless, Proof, Quantity, SlipDirection, State,
+};
 use crate::modes::{
     Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideBudget,
-    SlideLimit, Sliding, SlidingEnd, TakeOff,
+    SlideLimit, Sliding, SlidingEnd, TakeOff, Undecided,
 };
 use crate::walk::{
     Arrival, Cause, NextMotion, Outcome, PhaseEnd, PhaseResult, Solution, Solver, next_motion,
@@ -61,6 +63,10 @@ impl<'a> Exact<'a> {
             end: Some(state),
             outcome,
         }
+    }
+
+    const fn unresolved(state: State, undecided: Undecided) -> ExactEnd {
+        Self::without_event(state, Outcome::Unresolved { state, undecided })
     }
 
     const fn ended(cause: Cause, state: State, outcome: Outcome) -> ExactEnd {
@@ -129,9 +135,7 @@ impl<'a> Exact<'a> {
                 state,
                 solvability: law.painleve(state.theta),
             },
-            SlidingEnd::Unresolved(state) => {
-                Self::without_event(state, Outcome::Unresolved { state })
-            }
+            SlidingEnd::Unresolved { state, undecided } => Self::unresolved(state, undecided),
             SlidingEnd::StepLimit { state, .. }
                 if self.proof != Proof::None && self.hoop.never_lifts_off(&state) =>
             {
@@ -192,7 +196,8 @@ impl Solver for Exact<'_> {
         let end = match end {
             // A massless hoop whose particle is at the plane, but for rounding.
             Some(end) if !end.theta_rate.is_finite() => {
-                Self::without_event(*state, Outcome::Unresolved { state: *state })
+                let undecided = Undecided::overflow(Quantity::ThetaRate, end.theta_rate);
+                Self::unresolved(*state, undecided)
             }
             Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => PhaseEnd::Event {
                 point: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
@@ -201,7 +206,15 @@ impl Solver for Exact<'_> {
             },
             Some(_) => self.stopped(rolling.state(allowed.unwrap_or(0.0))),
             None if rolling.orbit().leaves_bounds() => {
-                let outcome = Outcome::Unresolved { state: *state };
+                let undecided = Undecided::Range {
+                    quantity: Quantity::Theta,
+                    value: f64::INFINITY.copysign(self.hoop.slope()),
+                    bound: MAX_COORDINATE,
+                };
+                let outcome = Outcome::Unresolved {
+                    state: *state,
+                    undecided,
+                };
                 self.endless(state, |allowed| rolling.state(allowed), outcome)
             }
             None => {
@@ -226,13 +239,14 @@ impl Solver for Exact<'_> {
         body: &Heavy,
         direction: SlipDirection,
         entry: Entry,
+        may_lift_off: bool,
     ) -> PhaseResult<Self> {
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
         let budget = SlideBudget {
             time_left: self.allowed(state),
             steps: self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE),
         };
-        let (slide, end) = Sliding::run(law, *state, direction, entry, budget);
+        let (slide, end) = Sliding::run(law, *state, direction, entry, may_lift_off, budget);
         if slide.work() > MAX_STEPS_OF_EASY_SLIDE {
             self.steps
                 .set(self.steps.get().saturating_sub(slide.work()));
@@ -248,15 +262,12 @@ impl Solver for Exact<'_> {
 
     fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
         let flight = Flight::new(body, *state, take_off);
-        self.flown(flight, state, |end| {
-            if flight.is_resolved() {
-                PhaseEnd::Landing {
-                    state: end,
-                    gap_rate: flight.landing_rate(),
-                }
-            } else {
-                Self::without_event(*state, Outcome::Unresolved { state: *state })
-            }
+        self.flown(flight, state, |end| match flight.undecided() {
+            None => PhaseEnd::Landing {
+                state: end,
+                gap_rate: flight.landing_rate(),
+            },
+            Some(undecided) => Self::unresolved(*state, undecided),
         })
     }
 

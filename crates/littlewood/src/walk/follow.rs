@@ -4,12 +4,13 @@
 //! Exact and tabulated phases, trajectories and summaries share one loop and one decision on the
 //! next motion. So the engine can differ from the simulation only in the solution of a phase.
 
-use crate::mechanics::{Contact, ContactVelocities, Impact, Settling};
+use crate::math::trig::Angle;
+use crate::mechanics::{Contact, ContactVelocities, Impact, MarginAtTop, Settling};
 use crate::model::{
-    Body, Heavy, Hoop, Limits, Mode, Quantity, SlipDirection, State, length_of_slide,
-    weight_of_slides,
+    Body, Heavy, Hoop, Limits, MAX_COORDINATE, Mode, Quantity, SlipDirection, State,
+    length_of_slide, weight_of_slides,
 };
-use crate::modes::{RollingLimit, SlideLimit, TakeOff};
+use crate::modes::{RollingLimit, SlideLimit, TakeOff, Undecided};
 use crate::walk::solver::SkipBudget;
 use crate::walk::{
     Arrival, Cause, Event, LastSlip, NextMotion, Outcome, PhaseDetail, PhaseEnd, PhaseRecord,
@@ -31,6 +32,9 @@ struct Cursor<P> {
     last_slip: Option<LastSlip>,
     /// The direction of slip, if rolling has just ended in this slip.
     slip_out_of_rolling: Option<SlipDirection>,
+    /// Whether the motion slides without kinetic friction, on an orbit that does not leave the
+    /// plane. Rounding of later states must not decide otherwise.
+    stays_in_contact: bool,
 }
 
 impl<P> Cursor<P> {
@@ -48,6 +52,7 @@ impl<P> Cursor<P> {
             next,
             last_slip,
             slip_out_of_rolling: None,
+            stays_in_contact: false,
         }
     }
 
@@ -61,7 +66,21 @@ impl<P> Cursor<P> {
             next,
             last_slip: None,
             slip_out_of_rolling,
+            stays_in_contact: false,
         }
+    }
+
+    /// Whether a slide from here may lift off.
+    fn may_lift_off<T: Solver<Point = P>>(&mut self, solver: &T) -> bool {
+        let (NextMotion::Slide { body, .. }, true) = (&self.next, solver.hoop().mu_k() == 0.0)
+        else {
+            self.stays_in_contact = false;
+            return true;
+        };
+        let state = T::state(&self.point);
+        let at_top = || MarginAtTop::new(body, &state, Angle::of(state.theta));
+        self.stays_in_contact = self.stays_in_contact || !at_top().leaves_plane();
+        !self.stays_in_contact
     }
 }
 
@@ -129,7 +148,7 @@ enum Rebound {
     /// The motion goes on after it.
     Continues { event: Event, impact: Impact },
     /// The state after it is not representable, so the motion ends before it.
-    Unresolved(Event),
+    Unresolved { event: Event, undecided: Undecided },
     /// No rebound: the hoop has no coefficient of restitution, or does not slip where P ≤ 0.
     None,
 }
@@ -334,6 +353,7 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
     log: &mut EventLog<'_, R>,
 ) -> Result<PhaseStep, T::Outcome> {
     cursor.slip_out_of_rolling = None;
+    let may_lift_off = cursor.may_lift_off(solver);
     let point = &cursor.point;
     let state = T::state(point);
     let (mode, result) = match &cursor.next {
@@ -342,7 +362,10 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
             body,
             direction,
             entry,
-        } => (Mode::Sliding, solver.slide(point, body, *direction, *entry)),
+        } => (
+            Mode::Sliding,
+            solver.slide(point, body, *direction, *entry, may_lift_off),
+        ),
         NextMotion::Fly { body, take_off } => (Mode::Flight, solver.fly(point, body, *take_off)),
         NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(point, body, *entry)),
         NextMotion::Settle { body, settling } => {
@@ -489,9 +512,12 @@ fn rebound_or_end<S, O: From<Outcome>>(
                 theta_range: None,
             });
         }
-        Rebound::Unresolved(event) => MotionEnd {
+        Rebound::Unresolved { event, undecided } => MotionEnd {
             event: Some(event),
-            outcome: Outcome::Unresolved { state: event.state },
+            outcome: Outcome::Unresolved {
+                state: event.state,
+                undecided,
+            },
         },
         Rebound::None => end,
     };
@@ -580,17 +606,20 @@ fn land<T: Solver>(
         return Rebound::None;
     };
     let event = Event::new(state, Mode::Flight, Cause::Landing);
-    let coordinates = [
+    // After a flight of many turns the angle may exceed the bound of a start.
+    for (quantity, value) in [
         (Quantity::Time, state.time),
         (Quantity::Theta, state.theta),
         (Quantity::X, state.x),
-    ];
-    if coordinates
-        .into_iter()
-        .any(|(quantity, value)| quantity.check(value).is_err())
-    {
-        // After a flight of many turns the angle may exceed the bound of a start.
-        return Rebound::Unresolved(event);
+    ] {
+        if quantity.check(value).is_err() {
+            let undecided = Undecided::Range {
+                quantity,
+                value,
+                bound: MAX_COORDINATE,
+            };
+            return Rebound::Unresolved { event, undecided };
+        }
     }
     // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
@@ -658,8 +687,15 @@ fn after_impact<T: Solver>(
         slip,
         gap_rate,
     } = impact.after;
-    if !(theta_rate + slip + gap_rate).is_finite() {
-        return Rebound::Unresolved(event);
+    for (quantity, value) in [
+        (Quantity::ThetaRate, theta_rate),
+        (Quantity::Slip, slip),
+        (Quantity::GapRate, gap_rate),
+    ] {
+        if !value.is_finite() {
+            let undecided = Undecided::overflow(quantity, value);
+            return Rebound::Unresolved { event, undecided };
+        }
     }
     cursor.point = solver.point(state);
     cursor.next = if gap_rate > 0.0 {

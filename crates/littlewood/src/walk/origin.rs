@@ -11,7 +11,7 @@
 
 use crate::math::trig::{WholeTurns, neutral_zero, split_turns};
 use crate::mechanics::{ContactForces, ContactVelocities, Impact, Impulse};
-use crate::model::{Hoop, Limits, Start, State};
+use crate::model::{Dimension, Hoop, Limits, Start, State};
 use crate::modes::{Position, Recurrence, RollingEnd, Sample, SlideLimit};
 use crate::walk::{Candidates, Outcome};
 
@@ -237,6 +237,13 @@ impl Origin {
             | Outcome::SlidesForever { recurrence, .. } => {
                 *recurrence = self.recurrence(*recurrence);
             }
+            Outcome::Unresolved { undecided, .. } => {
+                *undecided = undecided.map(|value| match undecided.dimension() {
+                    Dimension::Time => self.duration(value),
+                    Dimension::AngularRate | Dimension::Velocity => self.velocity(value),
+                    _ => value,
+                });
+            }
             Outcome::RepeatsForever { period, .. } => *period = self.duration(*period),
             Outcome::Inconsistent { candidates, .. } | Outcome::Ambiguous { candidates, .. } => {
                 *candidates = self.candidates(*candidates);
@@ -259,8 +266,7 @@ impl Origin {
             | Outcome::ParticleAtTop { .. }
             | Outcome::TimeLimit { .. }
             | Outcome::TransitionLimit { .. }
-            | Outcome::Singular { .. }
-            | Outcome::Unresolved { .. } => {}
+            | Outcome::Singular { .. } => {}
         }
         outcome
     }

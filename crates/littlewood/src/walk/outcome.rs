@@ -2,7 +2,7 @@
 //! ([`Outcome`]).
 
 use crate::model::{Detail, Dimension, State, getters, named};
-use crate::modes::{GrazingOrbit, Recurrence, SlideLimit};
+use crate::modes::{GrazingOrbit, Recurrence, SlideLimit, Undecided};
 use crate::walk::{Candidates, Cause};
 
 named! {
@@ -136,8 +136,9 @@ pub enum Outcome {
     /// particle passes the bottom, or a slide next to P = 0 whose end depends on rounding. Or an
     /// impact beyond the bounds of θ and x of a start, or with velocities that overflow. Or an
     /// unbalanced hoop that rolls down a slope beyond these bounds, a flight of more turns than
-    /// doubles resolve, or a massless hoop whose particle is at the plane but for rounding.
-    Unresolved { state: State },
+    /// doubles resolve, or a massless hoop whose particle is at the plane but for rounding. It names
+    /// the number that decides.
+    Unresolved { state: State, undecided: Undecided },
 }
 
 impl Outcome {
@@ -210,7 +211,7 @@ impl Outcome {
             | Self::TransitionLimit { state, .. }
             | Self::Singular { state, .. }
             | Self::StepLimit { state, .. }
-            | Self::Unresolved { state } => state,
+            | Self::Unresolved { state, .. } => state,
         }
     }
 
@@ -255,6 +256,7 @@ impl Outcome {
                     ("time_left", Detail::Real(time_left, Dimension::Time)),
                 ],
             },
+            Self::Unresolved { undecided, .. } => undecided.details().to_vec(),
             Self::Singular { solvability, .. } => {
                 vec![("solvability", Detail::Real(solvability, Dimension::Ratio))]
             }
@@ -264,8 +266,7 @@ impl Outcome {
             | Self::TimeLimit { .. }
             | Self::StaysInContact { .. }
             | Self::Inconsistent { .. }
-            | Self::Ambiguous { .. }
-            | Self::Unresolved { .. } => Vec::new(),
+            | Self::Ambiguous { .. } => Vec::new(),
         }
     }
 }

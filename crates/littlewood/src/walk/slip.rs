@@ -210,14 +210,11 @@ fn starts_on_limit(hoop: &Hoop, state: &State) -> bool {
     hoop.mu_s() > 0.0 && !exceeds
 }
 
-/// The order of the zero of η′ at a start: with static friction |F| > μs N, and 1.
+/// The order of the zero of η′ at a start: 1 where |F| > μs N > 0.
 fn order_at_start(hoop: &Hoop, state: &State) -> usize {
     let Body::Heavy(body) = hoop.body() else {
         return 1;
     };
-    if hoop.mu_s() > 0.0 {
-        return 1;
-    }
     let law = SlidingLaw::of_body(body, 0.0, SlipDirection::Positive);
     let place = PhasePoint {
         theta: state.theta,

@@ -40,12 +40,14 @@ pub(crate) trait Solver {
     fn select_mode(&self, point: &Self::Point, arrival: Arrival) -> NextMotion;
     /// `on_limit` if |F| = μs N at the start and static friction holds after it.
     fn roll(&self, point: &Self::Point, on_limit: bool) -> PhaseResult<Self>;
+    /// `may_lift_off` unless energy excludes it, also where w = 0 by rounding.
     fn slide(
         &self,
         point: &Self::Point,
         body: &Heavy,
         direction: SlipDirection,
         entry: Entry,
+        may_lift_off: bool,
     ) -> PhaseResult<Self>;
     /// A flight up to the next landing of the rim; the loop computes the impact.
     fn fly(&self, point: &Self::Point, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self>;

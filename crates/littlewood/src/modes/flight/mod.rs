@@ -18,8 +18,8 @@ mod gap;
 use crate::math::number::Number;
 use crate::math::trig::{Angle, sincos};
 use crate::mechanics::{Accelerations, Clearance, ContactForces, energy};
-use crate::model::{Heavy, Hoop, Mode, State, getters};
-use crate::modes::{Instant, Sample};
+use crate::model::{Heavy, Hoop, Mode, Quantity, State, getters};
+use crate::modes::{Instant, Sample, Undecided};
 
 use gap::{Bound, Gap, MAX_RESOLVED_ANGLE};
 
@@ -222,10 +222,14 @@ impl Flight {
         }
     }
 
-    /// Whether there is a landing. On a steep slope a flight may last for more turns than can be
-    /// counted.
-    pub(crate) fn is_resolved(&self) -> bool {
-        self.landing.at < MAX_RESOLVED_ANGLE
+    /// Why there is no landing, if there is none. On a steep slope a flight may last for more turns
+    /// than can be counted.
+    pub(crate) fn undecided(&self) -> Option<Undecided> {
+        (self.landing.at >= MAX_RESOLVED_ANGLE).then_some(Undecided::Range {
+            quantity: Quantity::Theta,
+            value: self.landing.at,
+            bound: MAX_RESOLVED_ANGLE,
+        })
     }
 
     pub(crate) fn landing_rate(&self) -> f64 {

@@ -9,7 +9,7 @@ use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Heavy, Hoop, MAX_TIME, Mode, SlipDirection, State};
-use crate::modes::{Instant, Recurrence, Sample};
+use crate::modes::{Instant, Margin, Recurrence, Sample, Undecided};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, ProvedTurns, section_of};
 use super::onset::Onset;
@@ -53,7 +53,7 @@ pub(crate) enum SlidingEnd {
     Singular(State),
     /// The time scale falls below double precision: away from P = 0, or next to P = 0 where
     /// rounding decides the outcome.
-    Unresolved(State),
+    Unresolved { state: State, undecided: Undecided },
     /// The limit of steps or of turns; with an estimate of the time until η′ = 0.
     StepLimit { state: State, time_left: f64 },
     /// The time limit.
@@ -74,6 +74,8 @@ pub struct Sliding {
     /// Whole turns of the start, which restore its angle exactly.
     turns: WholeTurns,
     path: SlidePath,
+    /// Whether w may fall below zero: a computed zero may be rounding.
+    may_lift_off: bool,
     steps: Vec<TaylorStep>,
     leaps: Vec<TurnSkip>,
     attempts: usize,
@@ -251,9 +253,13 @@ impl Sliding {
         start: State,
         direction: SlipDirection,
         entry: Entry,
+        may_lift_off: bool,
         budget: SlideBudget,
     ) -> (Self, SlidingEnd) {
-        let mut slide = Self::new(law, start, direction);
+        let mut slide = Self {
+            may_lift_off,
+            ..Self::new(law, start, direction)
+        };
         let end = if law.is_singular(slide.start.theta) {
             slide.unresolved_start()
         } else {
@@ -270,6 +276,7 @@ impl Sliding {
             start: State { theta, ..start },
             turns,
             path: law.path(ContactMotion::of(&start), start.theta.angle()),
+            may_lift_off: true,
             steps: Vec::new(),
             leaps: Vec::new(),
             attempts: 0,
@@ -294,7 +301,21 @@ impl Sliding {
     fn unresolved_start(&mut self) -> SlidingEnd {
         let here = self.first_point();
         self.steps.push(TaylorStep::straight(&here, &here, 0.0));
-        SlidingEnd::Unresolved(self.state_from(here))
+        self.unresolved(here, self.painleve_at(here))
+    }
+
+    fn unresolved(&self, here: SlidePoint, undecided: Undecided) -> SlidingEnd {
+        let state = self.state_from(here);
+        SlidingEnd::Unresolved { state, undecided }
+    }
+
+    fn painleve_at(&self, here: SlidePoint) -> Undecided {
+        let theta = here.place.theta;
+        Undecided::Rounding {
+            margin: Margin::Painleve,
+            value: self.law.painleve(theta),
+            bound: self.law.painleve_rounding(theta),
+        }
     }
 
     fn integrate(
@@ -327,7 +348,7 @@ impl Sliding {
         let StepWidth { width, is_last } = self.step_width(&series, here, budget)?;
         let step = TaylorStep::new(&here, &series);
         self.steps.push(step);
-        if let Some((at, event)) = first_event(&series, self.direction.sign(), known_roots, width) {
+        if let Some((at, event)) = self.first_event(&series, known_roots, width) {
             return ControlFlow::Break(self.end_at(event, step.at(at)));
         }
         let reached = self.with_energy(series.point(width));
@@ -406,13 +427,19 @@ impl Sliding {
                 time_left: self.time_left(&here),
             });
         }
-        if reach <= MIN_RELATIVE_STEP * (self.start.time + here.elapsed).abs().max(1.0) {
+        let resolution = MIN_RELATIVE_STEP * (self.start.time + here.elapsed).abs().max(1.0);
+        if reach <= resolution {
+            let undecided = Undecided::Rounding {
+                margin: Margin::TimeScale,
+                value: reach,
+                bound: resolution,
+            };
             // P ≥ Î except where it tends to zero.
             let is_near_zero = series.painleve[0] < 0.5 * self.law.body.inertia;
             return ControlFlow::Break(if is_near_zero {
-                self.singular_end(here)
+                self.singular_end(here, undecided)
             } else {
-                SlidingEnd::Unresolved(self.state_from(here))
+                self.unresolved(here, undecided)
             });
         }
         if let Some(time_left) = budget.time_left
@@ -437,6 +464,29 @@ impl Sliding {
         })
     }
 
+    /// The first of the three events within a step, if any.
+    fn first_event(
+        &self,
+        series: &SlideSeries,
+        known_roots: usize,
+        width: f64,
+    ) -> Option<(f64, Event)> {
+        let sign = self.direction.sign();
+        let mut slip = [0.0; DEGREE + 1];
+        for (deflated, c) in slip.iter_mut().zip(&series.slip[known_roots..]) {
+            *deflated = sign * c;
+        }
+        let rest = crossing(&slip, width).map(|at| (at, Event::Rest));
+        let lift_off = crossing(&series.contact, width)
+            .filter(|_| self.may_lift_off)
+            .map(|at| (at, Event::LiftOff));
+        let singular = crossing(&series.painleve, width).map(|at| (at, Event::Singular));
+        [rest, lift_off, singular]
+            .into_iter()
+            .flatten()
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
     fn end_at(&mut self, event: Event, point: SlidePoint) -> SlidingEnd {
         match event {
             Event::Rest => SlidingEnd::Rest(State {
@@ -444,7 +494,7 @@ impl Sliding {
                 ..self.state_from(point)
             }),
             Event::LiftOff => SlidingEnd::LiftOff(self.state_from(point)),
-            Event::Singular => self.singular_end(point),
+            Event::Singular => self.singular_end(point, self.painleve_at(point)),
         }
     }
 
@@ -470,17 +520,18 @@ impl Sliding {
         self.recurrence(series, &here, &next)
     }
 
-    /// The end next to P = 0, with the limits of θ′ and η′ at fixed angle and time.
-    fn singular_end(&mut self, here: SlidePoint) -> SlidingEnd {
+    /// The end next to P = 0, with the limits of θ′ and η′ at fixed angle and time; `otherwise` says
+    /// why it is unresolved where P = 0 is not the cause.
+    fn singular_end(&mut self, here: SlidePoint, otherwise: Undecided) -> SlidingEnd {
         let approach = self.approach(&here);
-        let Some(SingularEnd {
+        let SingularEnd {
             fate,
             rate,
             delta_theta,
             delta_time,
-        }) = approach.end(self.point_before(&here))
-        else {
-            return SlidingEnd::Unresolved(self.state_from(here));
+        } = match approach.end(self.point_before(&here)) {
+            Ok(end) => end,
+            Err(undecided) => return self.unresolved(here, undecided.unwrap_or(otherwise)),
         };
         let theta = here.place.theta + delta_theta;
         let (sin, cos) = libm::sincos(theta);
@@ -895,26 +946,6 @@ fn max_step(steps: usize) -> f64 {
     (0..doublings).fold(INITIAL_MAX_STEP, |longest, _| 2.0 * longest)
 }
 
-/// The first of the three events within a step, if any.
-fn first_event(
-    series: &SlideSeries,
-    sign: f64,
-    known_roots: usize,
-    width: f64,
-) -> Option<(f64, Event)> {
-    let mut slip = [0.0; DEGREE + 1];
-    for (deflated, c) in slip.iter_mut().zip(&series.slip[known_roots..]) {
-        *deflated = sign * c;
-    }
-    let rest = crossing(&slip, width).map(|at| (at, Event::Rest));
-    let lift_off = crossing(&series.contact, width).map(|at| (at, Event::LiftOff));
-    let singular = crossing(&series.painleve, width).map(|at| (at, Event::Singular));
-    [rest, lift_off, singular]
-        .into_iter()
-        .flatten()
-        .min_by(|a, b| a.0.total_cmp(&b.0))
-}
-
 #[cfg(test)]
 mod tests {
     use core::f64::consts::PI;
@@ -951,9 +982,9 @@ mod tests {
             SlidingEnd::LiftOff(state) => Some((1, state)),
             SlidingEnd::Singular(state) => Some((2, state)),
             SlidingEnd::TimeLimit(state) => Some((3, state)),
-            SlidingEnd::Unresolved(_) | SlidingEnd::StepLimit { .. } | SlidingEnd::Endless(_) => {
-                None
-            }
+            SlidingEnd::Unresolved { .. }
+            | SlidingEnd::StepLimit { .. }
+            | SlidingEnd::Endless(_) => None,
         }
     }
 

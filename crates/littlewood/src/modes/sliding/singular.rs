@@ -17,6 +17,7 @@
 
 use crate::mechanics::SlidingLaw;
 use crate::model::Heavy;
+use crate::modes::{Margin, Undecided};
 
 use super::series::PhasePoint;
 
@@ -122,9 +123,9 @@ impl Zero {
 }
 
 impl Approach<'_> {
-    /// The end, from an earlier angle and rate at which the leading-order terms hold. None if
-    /// rounding decides, or if P = 0 is not the cause.
-    pub(super) fn end(&self, earlier: PhasePoint) -> Option<SingularEnd> {
+    /// The end, from an earlier angle and rate at which the leading-order terms hold. An error if
+    /// rounding decides, with what it decides, or if P = 0 is not the cause.
+    pub(super) fn end(&self, earlier: PhasePoint) -> Result<SingularEnd, Option<Undecided>> {
         let Self {
             law,
             place: PhasePoint { theta, rate },
@@ -132,12 +133,13 @@ impl Approach<'_> {
             error,
         } = *self;
         let (h, sigma) = (law.body.h, law.friction.signum());
-        let zero = Zero::near(law, theta).filter(|zero| zero.slope * rate < 0.0)?;
+        let zero = Zero::near(law, theta).filter(|zero| zero.slope * rate < 0.0);
+        let zero = zero.ok_or(None)?;
         let Zero { sin, cos, .. } = zero;
         let slip_coefficient = law.slip_coefficient(sin, cos);
         let is_from_above = sigma * rate < 0.0;
         if is_from_above && cos <= 0.0 {
-            return Some(self.end_of_slip(&zero));
+            return Ok(self.end_of_slip(&zero));
         }
         let last = if is_from_above {
             -sigma / (h * cos).sqrt()
@@ -150,14 +152,18 @@ impl Approach<'_> {
         let uncertainty =
             error + SUM_ERROR * (last * slip_coefficient).abs() + by_angle * zero.error;
         if slip < -uncertainty {
-            Some(self.end_of_slip(&zero))
-        } else if slip > uncertainty && is_from_above {
-            Some(SingularEnd::at_once(
-                self.without_force(&zero, earlier)?,
-                last,
-            ))
+            Ok(self.end_of_slip(&zero))
+        } else if slip <= uncertainty {
+            Err(Some(Undecided::Rounding {
+                margin: Margin::SlipAtSingularity,
+                value: slip,
+                bound: uncertainty,
+            }))
+        } else if is_from_above {
+            let fate = self.without_force(&zero, earlier)?;
+            Ok(SingularEnd::at_once(fate, last))
         } else {
-            None
+            Err(None)
         }
     }
 
@@ -217,7 +223,7 @@ impl Approach<'_> {
     }
 
     /// Jam or lift-off, from λ and C.
-    fn without_force(&self, zero: &Zero, earlier: PhasePoint) -> Option<SingularFate> {
+    fn without_force(&self, zero: &Zero, earlier: PhasePoint) -> Result<SingularFate, Undecided> {
         let law = self.law;
         let Zero {
             sin,
@@ -235,10 +241,17 @@ impl Approach<'_> {
         let next = distance * ((bend / slope).abs() + tangent + 1.0 / tangent);
         let uncertainty =
             SUM_ERROR * (1.0 + (1.0 - force).abs()) + smooth * (zero.error + distance * next);
-        if exponent >= 1.0 || force - smooth * distance < -uncertainty {
-            Some(SingularFate::LiftsOff)
+        let singular_part = force - smooth * distance;
+        if exponent >= 1.0 || singular_part < -uncertainty {
+            Ok(SingularFate::LiftsOff)
+        } else if singular_part > uncertainty {
+            Ok(SingularFate::Jams)
         } else {
-            (force - smooth * distance > uncertainty).then_some(SingularFate::Jams)
+            Err(Undecided::Rounding {
+                margin: Margin::ContactAtSingularity,
+                value: singular_part,
+                bound: uncertainty,
+            })
         }
     }
 }
