@@ -10,8 +10,9 @@ use littlewood::modes::PhaseSolution;
 use littlewood::theory::{BodyClass, EDGES};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw,
-    Start, State, Trajectory,
+    SlipDirection, Start, State, Trajectory,
 };
+use littlewood_random::Draw;
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -601,5 +602,117 @@ proptest! {
         prop_assert!(hoop.settling(&state, v, elastic).is_err());
         let closed = hoop.settling(&state, 0.0, elastic);
         prop_assert_eq!(closed, Err(NoSettling::Closed { gap_rate: 0.0 }));
+    }
+}
+
+/// The first phase that is longer than bounces at these rates.
+fn first_lasting(motion: &Trajectory) -> Option<(Mode, Option<SlipDirection>, f64)> {
+    let phase = motion.phases().iter().find(|it| it.duration() > 1e-12)?;
+    let end = phase.end().map_or(f64::INFINITY, |end| end.theta);
+    Some((phase.mode(), phase.direction(), end))
+}
+
+/// Bounces of a hoop that is thrown by next to nothing depend on the ratio of their velocities
+/// only: they settle, or grow, as do those at 1e-100. Below the least normal number, those that do
+/// not settle say that they underflow.
+#[test]
+fn bounces_settle_or_grow_whatever_their_size() {
+    let (mut grow, mut settle, mut underflow) = (0, 0, 0);
+    for case in 0..600 {
+        let mut draw = Draw::of_case(51, 0, case);
+        let mu_s = draw.of_any_size([-2.0, 1.0]);
+        let share = if draw.comes(0.5) { 1.0 } else { draw.share() };
+        let coefficient = draw.one_of(&[0.0, 0.3, 0.5, 0.9, 1.0]);
+        let mut often_zero = |range| {
+            if draw.comes(0.5) {
+                0.0
+            } else {
+                draw.between(range)
+            }
+        };
+        let [slope, rate, slip] = [[-1.0, 1.0], [-3.0, 3.0], [-1.0, 1.0]].map(&mut often_zero);
+        let hoop = HoopParameters::thin(draw.of_any_size([-3.0, 3.0]))
+            .with_offset(draw.between([0.05, 1.0]))
+            .with_friction(mu_s, mu_s * share)
+            .with_slope(slope)
+            .with_restitution(coefficient, draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let hoop = Hoop::new(hoop).expect("a valid hoop");
+        let start = Start::at(draw.between([-3.1, 3.1]), rate).with_slip(slip);
+        let thrown = |gap_rate: f64| {
+            let limits = Limits::until(20.0).with_transitions(4000);
+            let motion = hoop.simulate(start.with_gap_rate(gap_rate), limits);
+            motion.expect("a valid start")
+        };
+        let expected = thrown(1e-100);
+        for gap_rate in [1e-200, 1e-300, 1e-320, 5e-324] {
+            let motion = thrown(gap_rate);
+            let settles =
+                matches!(motion.transitions(), [first, ..] if first.cause == Cause::Settle);
+            let kind = motion.outcome().kind();
+            if gap_rate.is_subnormal() && kind == OutcomeKind::Unresolved {
+                assert!(!settles && motion.outcome().state().time < 1e-300);
+                underflow += 1;
+                continue;
+            }
+            match (first_lasting(&expected), first_lasting(&motion)) {
+                (Some(theirs), Some(ours)) => {
+                    let near = ours.2 == theirs.2 || (ours.2 - theirs.2).abs() < 1e-6;
+                    assert!(
+                        near && (ours.0, ours.1) == (theirs.0, theirs.1),
+                        "{hoop:?} {start:?} {gap_rate:e}: {ours:?} {theirs:?}"
+                    );
+                    settle += usize::from(settles);
+                    grow += usize::from(!settles);
+                }
+                // As fast as each other, or not yet grown.
+                (_, None) => assert_eq!(kind, OutcomeKind::TransitionLimit, "{hoop:?} {start:?}"),
+                (None, Some(ours)) => panic!("{hoop:?} {start:?} {gap_rate:e}: {ours:?}"),
+            }
+        }
+    }
+    assert!(
+        grow > 20 && settle > 1000 && underflow > 20,
+        "{grow} {settle} {underflow}"
+    );
+}
+
+/// Velocities of all sizes, in powers of two: all numbers but those that underflow are the same.
+#[test]
+fn the_sum_of_bounces_is_the_same_in_all_units_of_velocity() {
+    for case in 0..2_000 {
+        let mut draw = Draw::of_case(51, 1, case);
+        let (hoop, start) = draw.in_contact();
+        let e = draw.share();
+        let law = draw.one_of(RestitutionLaw::ALL.as_slice());
+        let restitution = Restitution::new(e, law).expect("a coefficient");
+        let theta = start.theta;
+        // In units of the least number, too.
+        let slip = draw.one_of(&[0.0, 0.0, -1.0, 1.0, 2.0]);
+        // The rate of the angle determines the forces.
+        let settling = |unit: f64| {
+            let state = State::from(Start::at(theta, 0.0).with_slip(slip * unit));
+            hoop.settling(&state, unit, restitution)
+        };
+        let Ok(ours) = settling(1.0) else { continue };
+        for exponent in [-1074, -1022, -700, -400, -200, 200] {
+            let unit = libm::scalbn(1.0, exponent);
+            let theirs = settling(unit).expect("settles");
+            assert_eq!(ours.ratio.to_bits(), theirs.ratio.to_bits());
+            let after = theirs.impact.after;
+            for (ours, theirs) in [
+                (ours.duration, theirs.duration),
+                (ours.impact.after.slip, after.slip),
+                (ours.impact.after.theta_rate, after.theta_rate),
+                (ours.impact.impulse.normal, theirs.impact.impulse.normal),
+                (ours.impact.impulse.friction, theirs.impact.impulse.friction),
+            ] {
+                let difference = (ours * unit - theirs).abs();
+                assert!(
+                    difference <= f64::from_bits(1),
+                    "{exponent} {ours} {theirs:e}"
+                );
+            }
+            assert_eq!(after.slip == 0.0, ours.impact.after.slip == 0.0);
+        }
     }
 }

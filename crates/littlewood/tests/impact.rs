@@ -9,6 +9,7 @@ use littlewood::impact::{Impact, ImpactCase, ImpactError};
 use littlewood::tables::Quantity;
 use littlewood::theory::Body;
 use littlewood::{Hoop, HoopParameters, Outcome, Restitution, RestitutionLaw, Start, State};
+use littlewood_random::Draw;
 use proptest::prelude::*;
 
 fn restitution(coefficient: f64, law: RestitutionLaw) -> Restitution {
@@ -243,6 +244,51 @@ fn kinetic(hoop: &Hoop, theta: f64, v: &littlewood::impact::ContactVelocities) -
 fn impact(hoop: &Hoop, state: &State, gap_rate: f64, e: f64, law: RestitutionLaw) -> Impact {
     hoop.impact(state, gap_rate, restitution(e, law))
         .expect("a heavy hoop that lands")
+}
+
+/// In units of a power of two, from next to the least number to next to the largest.
+#[test]
+fn an_impact_is_the_same_in_all_units_of_velocity() {
+    for case in 0..20_000 {
+        let mut draw = Draw::of_case(51, 2, case);
+        let (hoop, start) = draw.heavy_motion();
+        let mut velocity = |powers| {
+            let size = draw.of_any_size(powers);
+            if draw.comes(0.5) { -size } else { size }
+        };
+        let [rate, slip] = [[-3.0, 3.0]; 2].map(&mut velocity);
+        let closing = if draw.comes(0.1) {
+            0.0
+        } else {
+            draw.of_any_size([-3.0, 3.0])
+        };
+        let (e, law) = (draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let of_units = |unit: f64| {
+            let start = Start::at(start.theta, rate * unit).with_slip(slip * unit);
+            impact(&hoop, &State::from(start), -closing * unit, e, law)
+        };
+        let of_1 = of_units(1.0);
+        for exponent in [-980, -800, -600, -350, -301, 301, 500, 800] {
+            let unit = libm::scalbn(1.0, exponent);
+            let found = of_units(unit);
+            assert_eq!(found.case, of_1.case);
+            for (ours, theirs) in [
+                (found.after.theta_rate, of_1.after.theta_rate),
+                (found.after.slip, of_1.after.slip),
+                (found.after.gap_rate, of_1.after.gap_rate),
+                (found.impulse.normal, of_1.impulse.normal),
+                (found.impulse.friction, of_1.impulse.friction),
+            ] {
+                let expected = theirs * unit;
+                // Coefficients of friction as small as numbers are underflow at 1, too.
+                let is_rounded = theirs.abs() < 1e-290 || !expected.is_normal();
+                assert!(
+                    is_rounded || ours == expected,
+                    "{ours:e} {expected:e} {found:?}"
+                );
+            }
+        }
+    }
 }
 
 proptest! {

@@ -92,6 +92,45 @@ impl ContactVelocities {
     }
 }
 
+/// Binary exponents of the speeds whose squares, and those of the velocities that an impact makes
+/// of them, are computed in units of 1.
+const EXPONENTS_IN_UNITS_OF_1: core::ops::RangeInclusive<i32> = -300..=300;
+
+/// Largest binary exponent of a velocity in other units. Its derivatives may be larger.
+const LARGEST_EXPONENT: i32 = 900;
+
+impl<T: Number> ContactVelocities<T> {
+    /// A unit for these velocities in which the square of `speed`, one of their sizes, neither
+    /// underflows nor overflows. Impacts and settling are the same in all units, and, as it is a
+    /// power of two, to the last bit.
+    pub(crate) fn unit_for(&self, speed: f64) -> f64 {
+        let exponent = libm::ilogb(speed);
+        if speed == 0.0 || EXPONENTS_IN_UNITS_OF_1.contains(&exponent) {
+            return 1.0;
+        }
+        let largest = [self.theta_rate, self.slip, self.gap_rate]
+            .into_iter()
+            .fold(speed, |largest, velocity| {
+                velocity.value().abs().max(largest)
+            });
+        let least = libm::ilogb(largest).saturating_sub(LARGEST_EXPONENT);
+        libm::scalbn(
+            1.0,
+            exponent
+                .clamp(-LARGEST_EXPONENT, LARGEST_EXPONENT)
+                .max(least),
+        )
+    }
+
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self {
+            theta_rate: self.theta_rate * factor,
+            slip: self.slip * factor,
+            gap_rate: self.gap_rate * factor,
+        }
+    }
+}
+
 /// An impact, or the sum of the impacts by which a hoop settles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -117,6 +156,29 @@ getters! {
     pub energy_lost: f64 = -(self.normal_work + self.friction_work);
     /// Whether the impact increases the energy, which only Newton's law allows.
     pub gains_energy: bool = self.energy_lost() < 0.0;
+}
+
+impl<T: Number> Impact<T> {
+    /// The impact of other velocities, from that of the same in units of `unit`.
+    pub(crate) fn of_units(self, before: ContactVelocities<T>, unit: f64) -> Self {
+        let mut after = self.after.times(unit);
+        let slip = self.after.slip.value();
+        if after.slip.value() == 0.0 && slip != 0.0 {
+            // The contact slips, and may not stick by underflow.
+            after.slip = after.slip.map(f64::from_bits(1).copysign(slip), 1.0);
+        }
+        Self {
+            before,
+            after,
+            impulse: Impulse {
+                normal: self.impulse.normal * unit,
+                friction: self.impulse.friction * unit,
+            },
+            normal_work: self.normal_work * unit * unit,
+            friction_work: self.friction_work * unit * unit,
+            ..self
+        }
+    }
 }
 
 impl Impact {
@@ -344,8 +406,7 @@ impl<T: Number> Contact<T> {
                 friction_work: none,
             };
         }
-        self.course(before, direction, slipping)
-            .impact(jams, restitution)
+        self.collide(before, direction, slipping, jams, restitution)
     }
 
     /// The jam of a hoop that slips where P ≤ 0, at gap rate 0. Where a slide has reached P = 0,
@@ -369,8 +430,24 @@ impl<T: Number> Contact<T> {
                 ..slope
             }
         };
-        self.course(before, Some(direction), slipping)
-            .impact(true, restitution)
+        self.collide(before, Some(direction), slipping, true, restitution)
+    }
+
+    /// The impact with these velocities and these slopes of the initial slip.
+    fn collide(
+        &self,
+        before: ContactVelocities<T>,
+        direction: Option<SlipDirection>,
+        slipping: Slope<T>,
+        jams: bool,
+        restitution: Restitution<T>,
+    ) -> Impact<T> {
+        // Without a jam the impulse is proportional to the closing rate.
+        let (closing, slip) = (before.gap_rate.value().abs(), before.slip.value().abs());
+        let unit = before.unit_for(if jams { closing.max(slip) } else { closing });
+        self.course(before.times(1.0 / unit), direction, slipping)
+            .impact(jams, restitution)
+            .of_units(before, unit)
     }
 
     fn course(

@@ -276,6 +276,27 @@ impl<T: Number> Bounces<T> {
         start: ContactVelocities<T>,
         longest: f64,
     ) -> Result<Settling<T>, NoSettling> {
+        // The rates after the first underflow.
+        let unit = start.unit_for(start.gap_rate.value());
+        let Settling {
+            duration,
+            ratio,
+            impact,
+            ..
+        } = self.sum_in_units(start.times(1.0 / unit), longest / unit)?;
+        Ok(Settling {
+            gap_rate: start.gap_rate,
+            duration: duration * unit,
+            ratio,
+            impact: impact.of_units(impact.before.times(unit), unit),
+        })
+    }
+
+    fn sum_in_units(
+        &self,
+        start: ContactVelocities<T>,
+        longest: f64,
+    ) -> Result<Settling<T>, NoSettling> {
         let mut sums = Sums::<T>::new();
         let (mut slip, mut opening) = (start.slip, start.gap_rate);
         for bounce in 0..MAX_BOUNCES {

@@ -673,7 +673,8 @@ fn after_settling<T: Solver>(
 }
 
 /// Moves the cursor past an impact, to a flight if the gap opens. Unresolved if a velocity
-/// overflows, which occurs for very small inertia.
+/// overflows, which occurs for very small inertia, or the gap rate underflows in bounces that do
+/// not settle: rounding would stop those that grow.
 fn after_impact<T: Solver>(
     solver: &T,
     cursor: &mut Cursor<T::Point>,
@@ -703,6 +704,17 @@ fn after_impact<T: Solver>(
     } else {
         solver.select_mode(&cursor.point, Arrival::InContact)
     };
+    let rebounds = || {
+        solver
+            .hoop()
+            .restitution()
+            .is_some_and(|it| it.coefficient() > 0.0)
+    };
+    let underflows = gap_rate.is_subnormal()
+        || (gap_rate == 0.0 && impact.before.gap_rate.is_subnormal() && rebounds());
+    if underflows && !matches!(cursor.next, NextMotion::Settle { .. }) {
+        return Rebound::Unresolved(event);
+    }
     Rebound::Continues { event, impact }
 }
 

@@ -130,6 +130,10 @@ const MAX_ANGLE_WITH_DIFFERENCE: f64 = 1.0;
 /// is not computed.
 pub(super) const MAX_RESOLVED_ANGLE: f64 = 4.6e18;
 
+/// Largest rise of a flight whose landing is that of the parabola. The squares of arguments
+/// underflow from a rise of 1e-154 on.
+const MAX_PARABOLIC_RISE: f64 = 1e-120;
+
 /// Largest error of a bound by tangents, relative to the terms of the gap: a dozen operations round
 /// by ε/2 each.
 const TANGENT_BOUND_ERROR: f64 = 16.0 * f64::EPSILON;
@@ -240,8 +244,30 @@ impl Gap {
         }
     }
 
+    /// Whether the gap lands so soon that it is the parabola at its start: the next term, relative
+    /// to it, is at most h spin³ p/(3 w) at p = 2 rise/w, with w = −opening.
+    pub(super) fn is_parabola(&self) -> bool {
+        let Self {
+            h,
+            spin,
+            rise,
+            opening,
+            ..
+        } = *self;
+        rise < MAX_PARABOLIC_RISE
+            && opening < 0.0
+            && h * spin * spin * spin * rise <= 0.25 * f64::EPSILON * (opening * opening)
+    }
+
     /// The landing of a concave gap: between zero and the landing of a larger gap.
     pub(super) fn only_landing(&self) -> Bound {
+        if self.is_parabola() {
+            return Bound {
+                at: 2.0 * self.rise / -self.opening,
+                gap: 0.0,
+                slope: -self.rise,
+            };
+        }
         let (guess, high) = self.about_only_landing();
         let bracket = Bracket {
             low: 0.0,

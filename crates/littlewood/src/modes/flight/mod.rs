@@ -25,6 +25,11 @@ use gap::{Bound, Gap, MAX_RESOLVED_ANGLE};
 
 pub(crate) use gap::sine_follows_from_rate;
 
+/// Turn below which the change of the slip is computed as such. The difference of velocities has six
+/// digits of it there, and next to ε none, so that bounces that grow would not. Those that settle
+/// are summed before they are as short.
+const MAX_BRIEF_TURN: f64 = 1e-10;
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum TakeOff {
     /// The normal force vanishes: 1 = h cos θ θ′².
@@ -139,28 +144,25 @@ impl Flight {
             spin: 1.0,
             theta: travel * start.theta,
         };
+        let rising = |gap_rate: f64| {
+            let in_time = Gap {
+                rise: gap_rate,
+                opening,
+                weight: 1.0,
+                spin: rate.abs(),
+                ..in_angle
+            };
+            if h * square <= 1.0 || in_time.is_parabola() {
+                (in_time, 1.0, gap_rate)
+            } else {
+                let rise = gap_rate / rate.abs();
+                (Gap { rise, ..in_angle }, rate.abs(), gap_rate)
+            }
+        };
         let (gap, clock, gap_rate) = match take_off {
             TakeOff::Grazing => (in_angle.at_lift_off(), rate.abs(), 0.0),
             TakeOff::Unloaded => (in_angle, rate.abs(), 0.0),
-            TakeOff::Rising { gap_rate } if h * square <= 1.0 => (
-                Gap {
-                    rise: gap_rate,
-                    opening,
-                    weight: 1.0,
-                    spin: rate.abs(),
-                    ..in_angle
-                },
-                1.0,
-                gap_rate,
-            ),
-            TakeOff::Rising { gap_rate } => (
-                Gap {
-                    rise: gap_rate / rate.abs(),
-                    ..in_angle
-                },
-                rate.abs(),
-                gap_rate,
-            ),
+            TakeOff::Rising { gap_rate } => rising(gap_rate),
         };
         Self {
             h,
@@ -204,9 +206,10 @@ impl Flight {
         }
     }
 
-    /// Whether the gap is concave; its argument is then the time.
+    /// Whether the gap is concave up to the landing; its argument is then the time.
     fn is_concave(&self) -> bool {
-        self.gap.rise > 0.0 && self.h * (self.start.theta_rate * self.start.theta_rate) <= 1.0
+        let is_slow = self.h * (self.start.theta_rate * self.start.theta_rate) <= 1.0;
+        self.gap.rise > 0.0 && (is_slow || self.gap.is_parabola())
     }
 
     fn highest(&self) -> Bound {
@@ -249,13 +252,21 @@ impl Flight {
     /// State after the time `elapsed`.
     pub fn state(&self, elapsed: f64) -> State {
         let rate = self.start.theta_rate;
-        let theta = self.start.theta + rate * elapsed;
+        let turn = rate * elapsed;
+        let theta = self.start.theta + turn;
         let (sin, cos) = sincos(theta);
+        let is_brief = elapsed > 0.0 && turn.abs() < MAX_BRIEF_TURN;
+        let slip = if is_brief && !self.settles {
+            let middle = libm::sin(self.start.theta + 0.5 * turn);
+            self.start.slip - (self.pull + self.h * (rate * rate) * middle) * elapsed
+        } else {
+            self.vx - self.pull * elapsed + (1.0 + self.h * cos) * rate
+        };
         State {
             time: self.start.time + elapsed,
             theta,
             theta_rate: rate,
-            slip: self.vx - self.pull * elapsed + (1.0 + self.h * cos) * rate,
+            slip,
             x: self.mass_centre_x + (self.vx - 0.5 * self.pull * elapsed) * elapsed + self.h * sin,
         }
     }
