@@ -32,8 +32,6 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
         size: (width, height),
         camera,
         hold,
-        slow_impacts,
-        energy_bar,
         with,
     } = args;
     // None for a GIF, which needs no other program.
@@ -56,11 +54,10 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
         slow,
         units,
         hold_s: hold,
-        slow_impacts,
     };
     let film = Film::new(&trajectory, &pace, size, camera).map_err(Error::Film)?;
     let film = match with {
-        None => film.with_energy_bar(energy_bar),
+        None => film,
         Some(pane) => film.with_pane(pane),
     };
     let output = Output::open(Some(&out))?;

@@ -287,48 +287,6 @@ fn ctrl_c_leaves_no_half_a_film() {
 }
 
 #[test]
-fn impacts_are_replayed_slowly_and_the_energy_is_shown() {
-    let folder = TempDir::new().unwrap();
-    let size = |flags: &[&str]| {
-        let out = path(&folder, "film.gif");
-        animate(
-            &[&["figure-3-bounces", "--until", "5"], flags].concat(),
-            &out,
-        );
-        let bytes = fs::read(&out).unwrap();
-        // A graphic control extension for each frame.
-        (
-            bytes
-                .windows(3)
-                .filter(|window| window == b"\x21\xf9\x04")
-                .count(),
-            bytes,
-        )
-    };
-    let (frames, usual) = size(&[]);
-    let (slowed, _) = size(&["--slow-impacts", "8"]);
-    // One landing before τ = 5: 0.12 units of time eight times slower, and 1.2 s for the impact, at
-    // 5 frames a second.
-    assert!((slowed - frames).abs_diff(10) <= 2, "{frames} and {slowed}");
-    assert!(
-        size(&["--energy-bar", "always"]).1 == usual,
-        "a hoop that bounces has the bar"
-    );
-    assert!(size(&["--energy-bar", "never"]).1 != usual);
-    for (flags, words) in [
-        (
-            &["--slow-impacts", "0.5"][..],
-            "slow_impacts = 0.5 must be a finite number of at least 1",
-        ),
-        (&["--slow-impacts", "x"], "not a number"),
-        (&["--energy-bar", "sometimes"], "always"),
-    ] {
-        let message = refused(flags, 2);
-        assert!(message.contains(words), "{flags:?}: {message}");
-    }
-}
-
-#[test]
 fn a_second_picture_runs_along_and_a_motion_without_end_is_cut() {
     let folder = TempDir::new().unwrap();
     let out = path(&folder, "film.gif");
@@ -349,7 +307,6 @@ fn a_second_picture_runs_along_and_a_motion_without_end_is_cut() {
         );
     }
     assert!(refused(&["--with", "beauty"], 2).contains("plane"));
-    assert!(refused(&["--with", "plane", "--energy-bar", "always"], 2).contains("--energy-bar"));
     let said = text(&[&["animate", "libration"], &SMALL[..], &["--out", &out]].concat());
     assert!(
         said.contains("one period of a motion without end (rolls for ever)"),

@@ -134,7 +134,6 @@ fn a_figure_that_cannot_show_the_hoop_is_refused_and_nothing_is_written() {
 fn bad_input_for_a_figure_that_takes_long_is_known_before_any_is_written() {
     for words in [
         "energy outcomes --offset 0",
-        "energy atlas --offset 0",
         "figure-1 outcomes --width-mm 10",
     ] {
         let folder = tempfile::tempdir().expect("a folder");
@@ -174,7 +173,6 @@ fn names_are_listed_and_unknown_ones_refused() {
         "figure-7b",
         "forces",
         "energy",
-        "friction-demand",
         "outcomes",
     ] {
         assert!(list.lines().any(|line| line.starts_with(name)), "{list}");
@@ -189,6 +187,11 @@ fn figures_that_were_removed_are_named_with_what_serves_instead() {
     for (words, name, instead) in [
         ("wall figure-1", "wall", "figure-3a"),
         ("cases", "cases", "littlewood cases"),
+        ("atlas", "atlas", "stroboscope"),
+        ("friction-demand", "friction-demand", "forces"),
+        ("hodograph", "hodograph", "forces"),
+        ("inertia", "inertia", "figure-7a"),
+        ("paper", "paper", "figure-6a"),
         ("bifurcation", "bifurcation", "littlewood sweep"),
         ("--along mu=0.1:1", "bifurcation", "littlewood sweep"),
     ] {

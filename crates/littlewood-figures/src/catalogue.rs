@@ -5,9 +5,8 @@ use littlewood_draw::{Figure, markdown, plain};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::paper::{
-    atlas, bounces, demand, gliding, histories, hodograph, impact, inertia, loci, outcomes,
-    overview, painleve, paths, phase_path, portrait, printed, schematic, state_space, stroboscope,
-    types,
+    bounces, gliding, histories, impact, loci, outcomes, overview, painleve, paths, phase_path,
+    portrait, schematic, state_space, stroboscope, types,
 };
 use crate::si::converted;
 
@@ -135,22 +134,37 @@ pub const FIGURES: &[FigureEntry] = figures! {
     "stroboscope" of "figure-3" by stroboscope::figure:
         "the hoop at equal intervals of time, with its forces";
     "phase-path" of "figure-3" by phase_path::figure: "a motion in the phase portrait of rolling";
-    "friction-demand" of "figure-3" by demand::figure: "friction demand of rolling along orbits";
-    "hodograph" of "figure-3" by hodograph::figure: "friction against normal force, in the cone";
     "painleve" of "painleve" by painleve::figure: "where sliding has no solution or several";
     "impact" of "figure-3-bounces" by impact::figure: "an impact in the plane of impulses";
     "bounces" of "figure-3-bounces" by bounces::figure: "gap and rates of the bounces of a motion";
-    "inertia" of "figure-7" by inertia::figure: "lighter and lighter hoops, and the massless one";
-    "paper" of "figure-3" by printed::figure:
-        "orbits and lift-off as the paper prints them, and exactly";
-    "atlas" of "figure-3" by atlas::figure after atlas::check:
-        "the outcome of each start, and the motions of some";
     "outcomes" of "figure-3" by outcomes::figure after outcomes::check:
         "outcomes of the starts in the phase plane";
 };
 
 /// Figures that were removed, each with what serves instead.
-const REMOVED: [(&str, &str); 3] = [
+const REMOVED: [(&str, &str); 8] = [
+    (
+        "atlas",
+        "`outcomes` has the outcome of each start, `stroboscope` the hoop along a motion",
+    ),
+    (
+        "friction-demand",
+        "`forces` has |F|/N of a motion beside mu_s and mu_k, `figure-2a` where rolling slips",
+    ),
+    (
+        "hodograph",
+        "`forces` has F, N and |F|/N of a motion beside mu_s and mu_k",
+    ),
+    (
+        "inertia",
+        "`forces` and `stroboscope` with --mass-ratio and --inertia show a light hoop, `figure-7a` \
+         the massless one",
+    ),
+    (
+        "paper",
+        "docs/theory/errata.md lists what the paper prints otherwise, `figure-2b` and `figure-6a` \
+         show it",
+    ),
     (
         "wall",
         "`figure-3a` has the motion in the same space, `figure-2b` the lift-off curve",

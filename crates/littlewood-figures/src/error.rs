@@ -29,12 +29,6 @@ pub enum FigureError {
     /// A figure of §3 asked for a particle inside the rim.
     #[error("{figure} shows the particle on the rim, offset 1; this one has offset {offset}")]
     NeedsRim { figure: &'static str, offset: f64 },
-    /// A figure that switches inertia off asked for a start above the plane: the rotation of a
-    /// massless hoop in the air is not determined.
-    #[error(
-        "{figure} switches inertia off, which a start on the plane needs; this one has the gap rate {gap_rate}"
-    )]
-    NeedsStartOnPlane { figure: &'static str, gap_rate: f64 },
     /// A figure of angles asked for a body whose mass centre is the geometric centre.
     #[error(
         "{figure} shows a loaded hoop; this one has offset 0, and nothing depends on the angle"
@@ -64,12 +58,6 @@ pub enum FigureError {
     NoDuration {
         figure: &'static str,
         time: f64,
-        outcome: OutcomeKind,
-    },
-    /// A figure of forces asked for a motion in which the plane exerts none.
-    #[error("{figure} shows the forces of the plane, but in this motion there are none: {}", outcome.label())]
-    NoForce {
-        figure: &'static str,
         outcome: OutcomeKind,
     },
     /// A figure of impacts asked for a hoop whose motion ends at the landing.

@@ -1,8 +1,7 @@
 //! What becomes of a motion, as figures of many motions show it.
 
-use littlewood::tables::{Class, PhaseCode};
+use littlewood::tables::Class;
 use littlewood::{Hoop, Summary};
-use littlewood_style::ticks::minus;
 
 /// Which end of its motions a figure of a hoop shows: the first lift-off ends all where no landing
 /// can be followed.
@@ -36,13 +35,4 @@ impl Fates {
             _ => class.label(),
         }
     }
-}
-
-/// What the letters of some kinds of phases mean.
-pub(crate) fn meanings(is_named: impl Fn(&PhaseCode) -> bool) -> String {
-    let codes = PhaseCode::ALL.into_iter().filter(is_named);
-    codes
-        .map(|code| format!("{} {}", minus(code.name()), code.meaning()))
-        .collect::<Vec<_>>()
-        .join(", ")
 }

@@ -43,7 +43,6 @@ mod error;
 mod fate;
 mod impacts;
 mod input;
-mod miniature;
 mod motion;
 mod paper;
 mod plane;

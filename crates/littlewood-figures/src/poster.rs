@@ -11,7 +11,7 @@ use littlewood_draw::{
 use crate::catalogue::{Watch, find_figure};
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::paper::atlas;
+use crate::paper::stroboscope;
 
 /// Sides of a poster in millimetres: A3.
 pub const POSTER_MM: [f64; 2] = [297.0, 420.0];
@@ -38,7 +38,7 @@ type Slot = &'static [&'static str];
 
 /// The figures of a poster in rows, from top to bottom.
 const ROWS: [[Slot; 2]; 2] = [
-    [&["figure-1", "figure-2a"], &["figure-3b", "figure-7b"]],
+    [&["outcomes", "figure-2a"], &["figure-1", "figure-7b"]],
     [
         &["figure-2b", "figure-4", "figure-2a"],
         &["forces", "figure-6b", "figure-5b"],
@@ -51,8 +51,8 @@ const LAST: Slot = &["bounces", "energy", "figure-7b", "figure-5b"];
 /// What may stand where nothing else does.
 const OTHERS: Slot = &["energy", "figure-3a", "figure-2a", "impact", "bounces"];
 
-/// A poster of a hoop and a motion: an atlas of fates, body, path, phase portrait, forces, energy,
-/// equations. What does not apply to the hoop is replaced by another figure, or by the reason in
+/// A poster of a hoop and a motion: the hoop at equal intervals of time, the map of outcomes, body,
+/// path, phase portrait, forces, energy, equations. What does not apply to the hoop is replaced by another figure, or by the reason in
 /// words.
 ///
 /// # Errors
@@ -62,7 +62,7 @@ pub fn poster(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, Figu
     let mut taken: Vec<&'static str> = Vec::new();
     let rows = ROWS.map(|row| row.map(|slot| choose(slot, input, &mut taken, watch)));
     let last = choose(LAST, input, &mut taken, watch);
-    let hero = atlas::wide(input, NARROWEST - 2.0 * MARGIN, watch)
+    let hero = stroboscope::wide(input, NARROWEST - 2.0 * MARGIN)
         .ok()
         .map(Figure::fitted);
     let content = Content {
@@ -86,7 +86,7 @@ const COLUMNS: [&str; 2] = ["right", "up"];
 struct Content<'a> {
     input: &'a FigureInput,
     motion: Trajectory,
-    /// The atlas, from side to side; none of a hoop that has none.
+    /// The stroboscope, from side to side; none where there is no motion.
     hero: Option<Figure>,
     rows: [[Result<Figure, String>; 2]; 2],
     last: Result<Figure, String>,
@@ -297,8 +297,8 @@ impl Page {
         Figure {
             name: "poster",
             title: "Littlewood's hoop".to_owned(),
-            caption: "A hoop with a particle on it, on a rough plane: an atlas of its fates, the body, its path, phase portrait, \
-                      forces, energy and laws."
+            caption: "A hoop with a particle on it, on a rough plane: its motion in equal times, the map of outcomes, the body, its \
+                      path, phase portrait, forces, energy and laws."
                 .to_owned(),
             width,
             print_mm: Some(POSTER_MM[0]),

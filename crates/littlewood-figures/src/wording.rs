@@ -101,20 +101,6 @@ impl Wording {
         self.parameters(hoop, &ROLLING[..4])
     }
 
-    /// Those that hoops of any inertia share.
-    pub(crate) fn shared(self, hoop: &Hoop) -> String {
-        let own = [
-            Quantity::MassRatio,
-            Quantity::Inertia,
-            Quantity::Restitution,
-        ];
-        let shared: Vec<Quantity> = Quantity::HOOP
-            .into_iter()
-            .filter(|quantity| !own.contains(quantity))
-            .collect();
-        self.parameters(hoop, &shared)
-    }
-
     fn parameters(self, hoop: &Hoop, quantities: &[Quantity]) -> String {
         let setup = Setup::new(hoop.parameters(), Start::default());
         let Some(units) = self.units else {

@@ -8,7 +8,6 @@ mod fates;
 mod files;
 mod gallery;
 mod grey;
-mod ideas;
 mod impacts;
 mod labels;
 mod maps;

@@ -120,68 +120,6 @@ fn a_rate_without_bound_does_not_hide_the_rest_of_a_sheet() {
     assert_near(slips[slips.len() - 1][0], -1.2, 1e-12, "η′");
 }
 
-#[test]
-fn forces_stay_in_the_cone() {
-    let figure = figure("hodograph");
-    for [n, f] in columns(
-        series(&figure, Mode::Rolling.name())[0],
-        ["normal", "friction"],
-    ) {
-        assert!(f.abs() <= 0.5 * n * (1.0 + 1e-12));
-    }
-    let sliding = series(&figure, Mode::Sliding.name())[0];
-    assert_eq!(sliding.pieces.len(), 2);
-    for [n, f] in columns(sliding, ["normal", "friction"]) {
-        assert_near(f.abs(), 0.4 * n, 1e-12, "|F| = μk N");
-    }
-    // Rolling ends on the cone, the slide that follows begins on the inner one and ends at its
-    // point.
-    let changes = columns(series(&figure, "transition")[0], ["normal", "friction"]);
-    assert_eq!(changes.len(), 3, "stick, slip, lift-off");
-    assert_near(changes[1][1].abs(), 0.5 * changes[1][0], 1e-12, "slip");
-    assert!(
-        changes[2].iter().all(|force| force.abs() < 1e-12),
-        "lift-off: {:?}",
-        changes[2]
-    );
-    for (name, mu) in [("mu_s", 0.5), ("mu_k", 0.4)] {
-        for [n, f] in columns(series(&figure, name)[0], ["normal", "friction"]) {
-            assert_near(f.abs(), mu * n, 1e-12, name);
-        }
-    }
-}
-
-#[test]
-fn impulses_lie_in_the_cone_too() {
-    let input = FigureInput::of_case("figure-3-bounces").expect("a case");
-    let figure = find_figure("hodograph")
-        .expect("a figure")
-        .figure(&input)
-        .expect("it can be drawn");
-    let impulses = columns(
-        series(&figure, "impulse")[0],
-        ["normal_impulse", "friction_impulse"],
-    );
-    assert!(impulses.len() > 20);
-    assert!(
-        impulses
-            .iter()
-            .all(|[p, j]| *p > 0.0 && j.abs() <= 0.5 * p * (1.0 + 1e-9))
-    );
-}
-
-#[test]
-fn a_motion_without_force_has_no_cone() {
-    // It glides from the start: N = F = 0.
-    let hoop = Hoop::littlewood(0.5, 0.4).expect("a hoop");
-    let input = FigureInput::new(hoop, Start::at(2.0, 0.5), Limits::default());
-    let error = find_figure("hodograph")
-        .expect("a figure")
-        .figure(&input)
-        .expect_err("no force");
-    assert!(error.to_string().contains("there are none"), "{error}");
-}
-
 /// Where P = 0 for a thin hoop with the particle on the rim, by hand: with m = 1/γ, h = γ and I =
 /// (1 − γ²)/γ, I + m h s (h s − μ (1 + h c)) = (1 − γ² c²)/γ − μ s (1 + γ c).
 fn threshold(share: f64, theta: f64) -> f64 {

@@ -64,7 +64,7 @@ fn captions_have_nothing_that_latex_does_not_take() {
             };
             // Slow figures are set for their own case only: other cases change just the numbers in
             // their captions.
-            let slow = |name| ["outcomes", "atlas"].contains(&name);
+            let slow = |name| name == "outcomes";
             for entry in FIGURES
                 .iter()
                 .filter(|entry| entry.case == case.name || !slow(entry.name))

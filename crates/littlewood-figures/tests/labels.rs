@@ -5,7 +5,6 @@ use crate::random::Draw;
 use littlewood_figures::{FIGURES, Figure, FigureInput, View};
 
 /// Figures that follow many motions, of some hoops only.
-const SLOW: [&str; 2] = ["outcomes", "atlas"];
 /// Figures of each motion.
 const EACH: usize = 3;
 
@@ -59,7 +58,7 @@ fn labels_of_random_motions_stand_in_their_panels_and_beside_each_other() {
             ..draw.input()
         };
         for entry in figures.by_ref().take(EACH) {
-            if SLOW.contains(&entry.name) && (motion % 40 != 1 || input.hoop.mu_k() < 0.05) {
+            if entry.name == "outcomes" && (motion % 40 != 1 || input.hoop.mu_k() < 0.05) {
                 continue;
             }
             if let Ok(figure) = entry.figure(&input) {

@@ -194,24 +194,6 @@ fn energy_is_lost_in_slides_alone() {
 }
 
 #[test]
-fn the_demand_for_friction_is_that_of_2_12() {
-    let figure = figure("friction-demand");
-    for name in ["separatrix", "libration", "rotation", "start"] {
-        for series in series(&figure, name) {
-            for [theta, demand, energy] in columns(series, ["theta", "demand", "energy"]) {
-                let (sin, cos) = libm::sincos(theta);
-                let d = 4.0 + 2.0 * cos;
-                let square = 2.0 * (energy - cos) / d;
-                let acceleration = (sin * square + sin) / d;
-                let normal = 2.0 - (sin * acceleration + cos * square);
-                let friction = -(2.0 + cos) * acceleration + sin * square;
-                assert_near(demand, friction.abs() / normal, 1e-10, name);
-            }
-        }
-    }
-}
-
-#[test]
 fn figure_7a_ends_at_the_horizontal_velocity_of_the_particle() {
     // It rolls with θ′² (1 + cos θ) + cos θ = 3/2 up to cos θ = 3/5, so that θ′ = 3/4, and leaves
     // the particle there with −θ′ (1 + cos θ) = −6/5, which a free fall keeps. At the plane the
@@ -251,20 +233,6 @@ fn what_cannot_be_shown_is_refused_with_the_reason() {
             refused(name, hoop, Start::at(0.0, 3.5)).contains("leaves the plane at once"),
             "{name}"
         );
-    }
-}
-
-#[test]
-fn a_massless_hoop_demands_the_same_friction_on_every_orbit() {
-    let hoop = Hoop::littlewood(0.5, 0.4).expect("a hoop");
-    let input = FigureInput::new(hoop, Start::at(0.3, 0.5), Limits::default());
-    let figure = find_figure("friction-demand")
-        .expect("a figure")
-        .figure(&input)
-        .expect("it can be drawn");
-    // (3.9): |F|/N = |tan θ/2|.
-    for [theta, demand] in columns(series(&figure, "every orbit")[0], ["theta", "demand"]) {
-        assert_near(demand, libm::tan(0.5 * theta).abs(), 1e-12, "|F|/N");
     }
 }
 

@@ -9,31 +9,26 @@ use littlewood::tables::Setup;
 use littlewood::{Hoop, Limits};
 use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 
-/// How much slower impacts are, and the time limit, if there are impacts to show.
-type Impacts = Option<(f64, f64)>;
-
-/// File, case, seconds of film for a unit of time, impacts.
-const FILMS: [(&str, &str, f64, Impacts); 5] = [
+/// File, case, seconds of film for a unit of time, time limit.
+const FILMS: [(&str, &str, f64, Option<f64>); 5] = [
     ("figure-3.gif", "figure-3", 3.0, None),
     ("figure-7.gif", "figure-7", 4.0, None),
     ("libration.gif", "figure-2-libration", 1.25, None),
-    ("bounces.gif", "figure-3-bounces", 1.2, Some((6.0, 8.0))),
+    ("bounces.gif", "figure-3-bounces", 1.5, Some(8.0)),
     ("ramp-jump.gif", "ramp-jump", 0.8, None),
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).ok_or("name a folder")?);
-    for (file, case, slow, impacts) in FILMS {
+    for (file, case, slow, until) in FILMS {
         let Setup { hoop, start, .. } = find_case(case).ok_or("no such case")?.setup;
-        let limits = Limits::default().with_until(impacts.map(|(_, until)| until));
+        let limits = Limits::default().with_until(until);
         let motion = Hoop::new(hoop)?.simulate(start, limits)?;
-        let slow_impacts = impacts.map(|(factor, _)| factor);
         let pace = Pace {
             fps: 20,
             slow,
             units: None,
             hold_s: None,
-            slow_impacts,
         };
         let film = Film::new(&motion, &pace, FrameSize::default(), Framing::Auto)?;
         let mut encoder = GifFilm::new(Vec::new(), &film)?;

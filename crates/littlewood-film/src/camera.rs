@@ -158,11 +158,6 @@ impl Camera {
         !self.follows[0]
     }
 
-    /// The height of the plane in the picture, where the camera does not rise with the hoop.
-    pub(crate) fn floor(&self) -> f64 {
-        libm::round(self.window.top + self.window.height)
-    }
-
     /// What the camera sees of a scene.
     pub(crate) fn view(&self, scene: &Scene) -> View {
         let Window {

@@ -31,9 +31,6 @@ pub enum FilmError {
     /// A slowness that is no duration.
     #[error("slow = {slow} must be a finite number greater than 0")]
     Slow { slow: f64 },
-    /// A factor that does not slow down.
-    #[error("slow_impacts = {factor} must be a finite number of at least 1")]
-    SlowImpacts { factor: f64 },
     /// A last picture that is shown for no possible time.
     #[error("hold = {hold_s} s must be between 0 and {most_s} s")]
     Hold { hold_s: f64, most_s: f64 },
@@ -78,9 +75,6 @@ impl FilmError {
             Self::FrameRate { .. } => "25 or 30 is usual, 60 is smooth",
             Self::Slow { .. } => {
                 "it is the number of seconds of film for a unit of time sqrt(R/g), or in SI units for a second"
-            }
-            Self::SlowImpacts { .. } => {
-                "it is how many times slower than elsewhere the film runs about an impact, such as 8"
             }
             Self::Hold { .. } => "it is the time for which the last picture stays",
             Self::NoMotion { .. } => "`littlewood classify` tells what was examined",

@@ -1,10 +1,8 @@
 //! A film: a motion, and how it is shown.
 
-use littlewood::energy::{EnergyLedger, EnergyParts};
+use littlewood::Trajectory;
 use littlewood::si::Units;
-use littlewood::{Sample, Trajectory};
 
-use crate::bar::{Bar, COLUMN, Column, draw_bar};
 use crate::body::{draw_arrows, draw_body, draw_impulse, draw_trail};
 use crate::camera::{Camera, EXAMINED, Framing, Window};
 use crate::canvas::Canvas;
@@ -20,19 +18,6 @@ use crate::schedule::{Pace, Schedule};
 use crate::size::FrameSize;
 use crate::trail::Trail;
 
-/// Whether a film shows where the energy of the start has gone.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "clap", derive(clap::ValueEnum))]
-pub enum EnergyBar {
-    /// If the hoop has a coefficient of restitution
-    #[default]
-    Auto,
-    /// In any case
-    Always,
-    /// Not at all
-    Never,
-}
-
 /// A film of a motion.
 ///
 /// Frames are drawn one after the other and handed to an [`Encoder`]; at most one is kept.
@@ -45,26 +30,8 @@ pub struct Film<'a> {
     framing: Framing,
     units: Option<Units>,
     note: String,
-    slow_impacts: Option<f64>,
     impacts: Vec<ShownImpact>,
-    energies: Option<Energies>,
     with: Option<With>,
-}
-
-/// The energy of a motion, and from where to where the bar has to show it.
-#[derive(Debug)]
-struct Energies {
-    ledger: EnergyLedger,
-    scale: [f64; 2],
-}
-
-impl Energies {
-    fn new(trajectory: &Trajectory, end: f64) -> Option<Self> {
-        let ledger = EnergyLedger::new(trajectory)?;
-        let samples: Vec<Sample> = trajectory.sample_evenly(EXAMINED, end).collect();
-        let scale = ledger.scale(&samples);
-        Some(Self { ledger, scale })
-    }
 }
 
 impl<'a> Film<'a> {
@@ -82,54 +49,31 @@ impl<'a> Film<'a> {
         let impacts = ShownImpact::all(trajectory, schedule.end);
         let samples = trajectory.sample_evenly(EXAMINED, schedule.end);
         let scale = ArrowScale::fitting(trajectory.hoop(), samples, &impacts);
-        let (units, note, slow_impacts) = (pace.units, note(pace), pace.slow_impacts);
-        let (energies, with) = (None, None);
-        let film = Self {
+        Ok(Self {
             trajectory,
             schedule,
             scale,
             size,
             framing,
-            units,
-            note,
-            slow_impacts,
+            units: pace.units,
+            note: note(pace),
             impacts,
-            energies,
-            with,
-        };
-        Ok(film.with_energy_bar(EnergyBar::Auto))
+            with: None,
+        })
     }
 
-    /// The same film with a bar of the energy, or without.
-    #[must_use]
-    pub fn with_energy_bar(self, bar: EnergyBar) -> Self {
-        let is_shown = match bar {
-            EnergyBar::Auto => self.trajectory.hoop().restitution().is_some(),
-            EnergyBar::Always => true,
-            EnergyBar::Never => false,
-        };
-        let energies = is_shown
-            .then(|| Energies::new(self.trajectory, self.schedule.end))
-            .flatten();
-        Self { energies, ..self }
-    }
-
-    /// The same film with a pane beside the hoop in which the motion runs along; it takes the place
-    /// of a bar of the energy.
+    /// The same film with a pane beside the hoop in which the motion runs along.
     #[must_use]
     pub fn with_pane(self, with: With) -> Self {
         Self {
             with: Some(with),
-            energies: None,
             ..self
         }
     }
 
     /// Whether impulses or energies are drawn, which have inks of their own.
     pub(crate) const fn has_energies(&self) -> bool {
-        self.energies.is_some()
-            || !self.impacts.is_empty()
-            || matches!(self.with, Some(With::Energy))
+        !self.impacts.is_empty() || matches!(self.with, Some(With::Energy))
     }
 
     /// The instants of the frames.
@@ -137,15 +81,11 @@ impl<'a> Film<'a> {
         &self.schedule
     }
 
-    /// Where the motion is seen, beside the bar or the pane if there is one.
+    /// Where the motion is seen, beside the pane if there is one.
     fn window(&self) -> Window {
         let u = self.size.unit();
         let (width, height) = (f64::from(self.size.width()), f64::from(self.size.height()));
-        let column = match (self.with, &self.energies) {
-            (Some(_), _) => PANE,
-            (None, Some(_)) => COLUMN,
-            (None, None) => 0.0,
-        };
+        let column = self.with.map_or(0.0, |_| PANE);
         Window {
             left: 0.0,
             top: HEAD * u,
@@ -169,14 +109,7 @@ impl<'a> Film<'a> {
     /// # Errors
     /// None of a film that could be made.
     pub fn scene(&self, index: u64) -> Result<Scene, FilmError> {
-        let moment = self.schedule.moment(index);
-        let replayed = moment
-            .impact
-            .and_then(|(number, share)| Some((self.impacts.get(number)?, share)));
-        if let Some((shown, share)) = replayed {
-            return Ok(Scene::in_impact(shown, share, self.scale));
-        }
-        let sample = self.trajectory.at(moment.time);
+        let sample = self.trajectory.at(self.schedule.time(index));
         let sample = sample.ok_or(FilmError::NoMotion {
             outcome: self.trajectory.outcome().kind(),
         })?;
@@ -190,23 +123,9 @@ impl<'a> Film<'a> {
     fn impulse(&self, index: u64) -> Option<DrawnImpulse> {
         self.impacts
             .iter()
-            .enumerate()
-            .filter(|(number, impact)| self.schedule.shows(index, *number, impact))
-            .map(|(_, shown)| shown)
+            .filter(|impact| self.schedule.shows(index, impact))
             .max_by(|a, b| a.impact.impulse.normal.total_cmp(&b.impact.impulse.normal))
-            .map(|shown| DrawnImpulse::new(shown, 1.0, self.scale))
-    }
-
-    /// What the energy at the start has become, if the film shows it.
-    ///
-    /// # Errors
-    /// None of a film that could be made.
-    pub fn energy(&self, index: u64) -> Result<Option<EnergyParts>, FilmError> {
-        let Some(energies) = &self.energies else {
-            return Ok(None);
-        };
-        let is_before = self.schedule.moment(index).impact.is_some();
-        Ok(energies.ledger.parts(&self.scene(index)?.sample, is_before))
+            .map(|shown| DrawnImpulse::new(shown, self.scale))
     }
 
     /// Draws all frames and hands them to an encoder. `watch` is called with the number of frames
@@ -318,16 +237,10 @@ impl<'a> Reel<'a> {
         if let Some(inset) = &self.inset {
             inset.draw_moving(&mut self.canvas, &scene);
         }
-        if let Some(parts) = film.energy(index)? {
-            self.draw_energy(&parts);
-        }
         let is_last = index + 1 == film.schedule.frames && !film.schedule.closes();
         let outcome = is_last.then(|| film.trajectory.outcome());
         let (panel, canvas) = (&self.panel, &mut self.canvas);
         panel.draw_moving(canvas, &scene, &film.schedule, outcome);
-        if let Some(factor) = film.slow_impacts.filter(|_| film.schedule.is_slow(index)) {
-            panel.draw_slow(canvas, factor);
-        }
         Ok(canvas.data())
     }
 
@@ -381,31 +294,6 @@ impl<'a> Reel<'a> {
         };
         canvas.restore(ground, head);
         canvas.restore(ground, foot);
-    }
-
-    /// The bar of the energy, if the film has one.
-    fn draw_energy(&mut self, parts: &EnergyParts) {
-        let film = self.film;
-        let Some(energies) = &film.energies else {
-            return;
-        };
-        let window = film.window();
-        let top = if self.camera.is_still() {
-            window.top
-        } else {
-            beside_inset(film.size)
-        };
-        let bar = Bar {
-            parts,
-            scale: energies.scale,
-            units: film.units.as_ref(),
-        };
-        let column = Column {
-            left: window.left + window.width,
-            top,
-            bottom: self.camera.floor(),
-        };
-        draw_bar(&mut self.canvas, column, &bar, film.size.unit());
     }
 }
 

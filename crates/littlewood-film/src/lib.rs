@@ -11,7 +11,7 @@
 //! use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace};
 //!
 //! let motion = find_case("figure-3").expect("a named case").simulate()?;
-//! let pace = Pace { fps: 5, slow: 1.0, units: None, hold_s: None, slow_impacts: None };
+//! let pace = Pace { fps: 5, slow: 1.0, units: None, hold_s: None };
 //! let film = Film::new(&motion, &pace, FrameSize::new(320, 180)?, Framing::Auto)?;
 //! let mut gif = GifFilm::new(Vec::new(), &film)?;
 //! film.play(&mut gif, |_frames_done| true)?;
@@ -37,7 +37,6 @@
 //! operations are used whose results do not depend on the processor, with its vector code or
 //! without.
 
-mod bar;
 mod body;
 mod camera;
 mod canvas;
@@ -57,14 +56,13 @@ mod quantise;
 mod scene;
 mod schedule;
 mod size;
-mod timeline;
 mod trail;
 
 pub use camera::Framing;
 pub use encoder::Encoder;
 pub use error::FilmError;
 pub use ffmpeg::{FfmpegFilm, Video};
-pub use film::{EnergyBar, Film};
+pub use film::Film;
 pub use gif::GifFilm;
 pub use pane::With;
 pub use scene::{ArrowScale, DrawnArrow, DrawnImpulse, Scene};

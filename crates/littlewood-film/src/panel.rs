@@ -336,18 +336,6 @@ impl Panel {
         }
     }
 
-    /// How much slower the film is than elsewhere.
-    pub(crate) fn draw_slow(&self, canvas: &mut Canvas, factor: f64) {
-        let u = self.unit;
-        let place = (self.width - (MARGIN + 112.0) * u, 25.0 * u);
-        canvas.words(
-            &format!("{} × slower", short(factor)),
-            place,
-            self.style(11.0, true, 1.0),
-            INK,
-        );
-    }
-
     /// The normal and the friction impulse that the scene shows.
     pub(crate) fn impulse(&self, scene: &Scene) -> Vec<String> {
         let of = |sign: &str, value: f64| {

@@ -79,15 +79,15 @@ pub struct DrawnImpulse {
     pub tail: Position,
     /// Where it ends.
     pub head: Position,
-    /// The impulse up to now: while the impact is replayed it grows.
+    /// The impulse of the whole impact.
     pub impulse: Impulse,
     /// What the contact point does in the impact.
     pub case: ImpactCase,
 }
 
 impl DrawnImpulse {
-    pub(crate) fn new(shown: &ShownImpact, share: f64, scale: ArrowScale) -> Self {
-        let impulse = shown.impulse_at(share);
+    pub(crate) fn new(shown: &ShownImpact, scale: ArrowScale) -> Self {
+        let impulse = shown.impact.impulse;
         let tail = shown.place;
         let head = Position {
             x: tail.x + scale.impulse * impulse.friction,
@@ -153,7 +153,7 @@ pub struct Scene {
     pub weight: Option<DrawnArrow>,
     /// Slip velocity η′ of the contact point; none in flight.
     pub slip: Option<DrawnArrow>,
-    /// Impulse of an impact that is past by no more than a moment, or that is being replayed.
+    /// Impulse of an impact that is past by no more than a moment.
     pub impulse: Option<DrawnImpulse>,
 }
 
@@ -177,26 +177,6 @@ impl Scene {
             weight: DrawnArrow::along(scale.down, sample.mass_centre, scale.weight, scale.force),
             slip: arrow((1.0, 0.0), sample.state.slip, scale.velocity),
             impulse: None,
-        }
-    }
-
-    /// The scene in an impact of which a share has passed: the body stands, and the slip velocity
-    /// changes.
-    pub(crate) fn in_impact(shown: &ShownImpact, share: f64, scale: ArrowScale) -> Self {
-        let scene = Self::of(shown.before, scale);
-        let slip = DrawnArrow::along(
-            (1.0, 0.0),
-            shown.place,
-            shown.slip_at(share),
-            scale.velocity,
-        );
-        let impulse = Some(DrawnImpulse::new(shown, share, scale));
-        Self {
-            normal: None,
-            friction: None,
-            slip,
-            impulse,
-            ..scene
         }
     }
 

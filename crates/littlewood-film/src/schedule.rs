@@ -6,7 +6,6 @@ use littlewood::{OutcomeKind, Trajectory, Transition};
 
 use crate::error::FilmError;
 use crate::impacts::ShownImpact;
-use crate::timeline::{Moment, Timeline};
 
 /// Most frames of a film: at 25 frames per second more than an hour.
 const MOST_FRAMES: u64 = 100_000;
@@ -70,9 +69,6 @@ pub struct Pace {
     /// Time for which the last picture stays, in seconds; the default is 1.5, and 0 for a film that
     /// closes.
     pub hold_s: Option<f64>,
-    /// How many times slower the film runs about the impacts, if it does; in each of them it stands
-    /// still while the impulse grows. Small impacts are not slowed down.
-    pub slow_impacts: Option<f64>,
 }
 
 impl Pace {
@@ -99,8 +95,6 @@ pub struct Schedule {
     /// What the film shows of the motion.
     pub part: Part,
     hold_ms: u32,
-    /// Where the film is slower about impacts.
-    timeline: Option<Timeline>,
 }
 
 /// When a frame is shown.
@@ -140,18 +134,7 @@ impl Schedule {
         let start = trajectory.start().time;
         let (end, part) = shown_until(trajectory);
         let closes = part == Part::Period;
-        let timeline = match pace.slow_impacts {
-            Some(factor) if factor.is_finite() && factor >= 1.0 => {
-                let impacts = ShownImpact::all(trajectory, end);
-                let slowed = || Timeline::new(start, end, pace.seconds(), factor, &impacts);
-                (!impacts.is_empty()).then(slowed)
-            }
-            Some(factor) => return Err(FilmError::SlowImpacts { factor }),
-            None => None,
-        };
-        let seconds = timeline
-            .as_ref()
-            .map_or((end - start) * pace.seconds(), Timeline::seconds);
+        let seconds = (end - start) * pace.seconds();
         let intervals = libm::ceil(seconds * f64::from(fps) - 1e-9).max(0.0);
         let frames = intervals + if closes { 0.0 } else { 1.0 };
         if frames > MOST_FRAMES as f64 {
@@ -175,7 +158,6 @@ impl Schedule {
             frames: frames.max(1.0) as u64,
             hold_ms: libm::round(1e3 * hold_s) as u32,
             part,
-            timeline,
         })
     }
 
@@ -188,46 +170,17 @@ impl Schedule {
     /// The instant that a frame shows. The last is the end of the motion, to the last bit; it comes
     /// less than a frame late.
     pub fn time(&self, index: u64) -> f64 {
-        self.moment(index).time
-    }
-
-    /// What a frame shows.
-    pub(crate) fn moment(&self, index: u64) -> Moment {
-        let evenly = |time: f64| Moment {
-            time,
-            is_slow: false,
-            impact: None,
-        };
         if index + 1 >= self.frames && !self.closes() {
-            return evenly(self.end);
+            return self.end;
         }
-        let slowed = self
-            .timeline
-            .as_ref()
-            .and_then(|timeline| timeline.moment(self.second(index)));
-        slowed.unwrap_or_else(|| evenly((self.start + index as f64 * self.step).min(self.end)))
+        (self.start + index as f64 * self.step).min(self.end)
     }
 
-    /// Whether the film runs more slowly at a frame.
-    pub fn is_slow(&self, index: u64) -> bool {
-        self.moment(index).is_slow
-    }
-
-    fn second(&self, index: u64) -> f64 {
-        index as f64 / f64::from(self.fps)
-    }
-
-    /// Whether the impulse of an impact is still in the picture at a frame: for a short while, and
-    /// as long as the film is slow.
-    pub(crate) fn shows(&self, index: u64, number: usize, impact: &ShownImpact) -> bool {
-        let second = self.second(index);
-        let [from, until] = match &self.timeline {
-            Some(timeline) => timeline
-                .after(number)
-                .unwrap_or_else(|| [timeline.second(impact.time); 2]),
-            None => [(impact.time - self.start) / (self.step * f64::from(self.fps)); 2],
-        };
-        second >= from && second <= until.max(from + STAYS_S)
+    /// Whether the impulse of an impact is still in the picture at a frame: for a short while.
+    pub(crate) fn shows(&self, index: u64, impact: &ShownImpact) -> bool {
+        let fps = f64::from(self.fps);
+        let since = index as f64 / fps - (impact.time - self.start) / (self.step * fps);
+        (0.0..=STAYS_S).contains(&since)
     }
 
     /// When a frame is shown.

@@ -1,19 +1,17 @@
-//! Impacts in films: the energy adds up, impulses are to scale, and time runs slowly where it is
-//! said to.
+//! Impacts in films: the energy adds up, and impulses are to scale.
 
 use littlewood::cases::{CASES, find_case};
-use littlewood::energy::EnergyParts;
+use littlewood::energy::{EnergyLedger, EnergyParts};
 use littlewood::{
     Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, Trajectory,
 };
-use littlewood_film::{EnergyBar, Film, FilmError, FrameSize, Framing, GifFilm, Pace, Schedule};
+use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace, Schedule, With};
 
 const PACE: Pace = Pace {
     fps: 25,
     slow: 3.0,
     units: None,
     hold_s: None,
-    slow_impacts: None,
 };
 
 fn motion(name: &str) -> Trajectory {
@@ -28,9 +26,14 @@ fn film<'a>(motion: &'a Trajectory, pace: &Pace) -> Film<'a> {
     Film::new(motion, pace, size, Framing::Auto).expect("it can be made")
 }
 
-fn energies(film: &Film<'_>) -> Vec<EnergyParts> {
+/// What the energy of the start has become at each frame.
+fn energies(motion: &Trajectory, film: &Film<'_>) -> Vec<EnergyParts> {
+    let ledger = EnergyLedger::new(motion).expect("a motion");
     (0..film.schedule().frames)
-        .map(|index| film.energy(index).expect("it can be made").expect("a bar"))
+        .filter_map(|index| {
+            let sample = film.scene(index).expect("it can be made").sample;
+            ledger.parts(&sample, false)
+        })
         .collect()
 }
 
@@ -55,9 +58,9 @@ fn kinetic(motion: &Trajectory, time: f64, step: f64) -> Option<f64> {
 fn the_parts_add_up_to_the_energy_at_the_start() {
     for case in CASES.iter().filter(|case| case.name != "painleve") {
         let motion = motion(case.name);
-        let film = film(&motion, &PACE).with_energy_bar(EnergyBar::Always);
+        let film = film(&motion, &PACE);
         let mut checked = 0;
-        for (index, parts) in energies(&film).into_iter().enumerate() {
+        for (index, parts) in energies(&motion, &film).into_iter().enumerate() {
             let EnergyParts {
                 kinetic: moving,
                 potential,
@@ -100,37 +103,12 @@ fn impacts_take_what_the_notes_say() {
         .unwrap();
         let motion = hoop.simulate(case.setup.start, Limits::until(4.5)).unwrap();
         let film = film(&motion, &PACE);
-        let last = energies(&film).pop().unwrap();
+        let last = energies(&motion, &film).pop().unwrap();
         assert!((last.impacts - lost).abs() < 1e-11, "{e}: {}", last.impacts);
         assert!((last.start - 8.0).abs() < 1e-13, "E (2.8) of Figure 3");
-        let first = energies(&film)[0];
+        let first = energies(&motion, &film)[0];
         assert_eq!((first.friction, first.impacts), (0.0, 0.0));
     }
-}
-
-#[test]
-fn a_film_has_a_bar_if_there_is_something_to_lose_in_impacts() {
-    let (bounces, lands) = (motion("figure-3-bounces"), motion("figure-3"));
-    let has = |film: Film<'_>| film.energy(0).unwrap().is_some();
-    assert!(has(film(&bounces, &PACE)) && !has(film(&lands, &PACE)));
-    assert!(!has(film(&bounces, &PACE).with_energy_bar(EnergyBar::Never)));
-    assert!(has(film(&lands, &PACE).with_energy_bar(EnergyBar::Always)));
-    // Without a bar the picture of a motion without restitution is what it was.
-    let plain = film(&lands, &PACE).still(100).unwrap();
-    assert!(
-        plain
-            == film(&lands, &PACE)
-                .with_energy_bar(EnergyBar::Auto)
-                .still(100)
-                .unwrap()
-    );
-    assert!(
-        plain
-            != film(&lands, &PACE)
-                .with_energy_bar(EnergyBar::Always)
-                .still(100)
-                .unwrap()
-    );
 }
 
 #[test]
@@ -173,103 +151,6 @@ fn an_impulse_is_an_arrow_at_the_instant_and_to_scale() {
         (19..=21).contains(&frames),
         "0.8 s at 25 frames a second: {frames}"
     );
-}
-
-#[test]
-fn a_replay_is_slower_by_the_factor_and_goes_through_the_impact() {
-    let motion = motion("figure-3-bounces");
-    let film = film(
-        &motion,
-        &Pace {
-            slow_impacts: Some(8.0),
-            ..PACE
-        },
-    );
-    let schedule = film.schedule();
-    let landing = motion
-        .transitions()
-        .iter()
-        .find(|transition| transition.impact.is_some())
-        .unwrap();
-    let impact = landing.impact.unwrap();
-    let compliance = motion.hoop().compliance(landing.before.theta).unwrap();
-    let (mut still, mut last) = (0, 0.0);
-    for index in 1..schedule.frames - 1 {
-        let (before, now) = (schedule.time(index - 1), schedule.time(index));
-        assert!(now >= before, "time does not run back");
-        let near = |time: f64| (time - landing.time()).abs() < 0.055;
-        if now == landing.time() {
-            still += 1;
-            let scene = film.scene(index).unwrap();
-            let drawn = scene.impulse.expect("it grows").impulse;
-            assert!(drawn.normal >= last && drawn.normal <= impact.impulse.normal);
-            last = drawn.normal;
-            let slip = scene.slip.map_or(0.0, |slip| slip.value);
-            let wanted =
-                impact.before.slip + compliance.a * drawn.friction + compliance.b * drawn.normal;
-            assert!((slip - wanted).abs() < 1e-12, "u = u0 + A J + B P");
-            assert!(
-                drawn.friction.abs() <= 0.4 * drawn.normal + 1e-12,
-                "in the cone of μk while it slips"
-            );
-        } else if near(before)
-            && near(now)
-            && (before - landing.time()) * (now - landing.time()) > 0.0
-        {
-            assert!(schedule.is_slow(index));
-            // A frame of 1/25 s at 3 s for a unit of time, eight times slower.
-            assert!(
-                (now - before - 1.0 / (25.0 * 3.0 * 8.0)).abs() < 1e-12,
-                "{before} {now}"
-            );
-        }
-    }
-    assert!(
-        (29..=31).contains(&still),
-        "1.2 s at 25 frames a second: {still}"
-    );
-    // Small bounces are not slowed down: of 26 landings three have a tenth of the largest impulse.
-    let slow = (0..schedule.frames)
-        .filter(|index| schedule.is_slow(*index))
-        .count() as f64
-        / 25.0;
-    let each = 2.0 * 0.06 * 3.0 * 8.0 + 1.2;
-    let large = motion
-        .transitions()
-        .iter()
-        .filter_map(|transition| transition.impact);
-    let large = large
-        .filter(|other| other.impulse.normal > 0.1 * impact.impulse.normal)
-        .count();
-    assert!(
-        large == 3 && slow < each * large as f64 + 0.2 && slow > each * (large - 1) as f64,
-        "{slow}"
-    );
-}
-
-#[test]
-fn what_cannot_be_slowed_down_is_refused() {
-    let bounces = motion("figure-3-bounces");
-    for factor in [0.0, 0.5, -1.0, f64::NAN, f64::INFINITY] {
-        let pace = Pace {
-            slow_impacts: Some(factor),
-            ..PACE
-        };
-        let error = Schedule::new(&bounces, &pace).unwrap_err();
-        assert!(matches!(error, FilmError::SlowImpacts { .. }), "{error}");
-        assert!(error.to_string().contains("slow_impacts") && error.hint().contains("such as 8"));
-    }
-    // Without impacts the film is as it was.
-    let lands = motion("figure-3");
-    let slowed = Schedule::new(
-        &lands,
-        &Pace {
-            slow_impacts: Some(8.0),
-            ..PACE
-        },
-    )
-    .unwrap();
-    assert_eq!(slowed, Schedule::new(&lands, &PACE).unwrap());
 }
 
 /// Films of hoops that bounce in every way, in which nothing may go wrong.
@@ -337,18 +218,21 @@ fn every_hoop_has_a_film() {
             .unwrap()
             .simulate(start, Limits::default().with_until(until))
             .unwrap_or_else(|error| panic!("{what}: {error}"));
-        for slow_impacts in [None, Some(4.0)] {
+        for with in [None, Some(With::Energy)] {
             let pace = Pace {
                 fps: 5,
                 slow: 1.0,
-                slow_impacts,
                 ..PACE
             };
-            let film = film(&motion, &pace);
+            let plain = film(&motion, &pace);
+            let film = match with {
+                None => plain,
+                Some(with) => plain.with_pane(with),
+            };
             let mut encoder = GifFilm::new(Vec::new(), &film).unwrap();
             film.play(&mut encoder, |_| true)
                 .unwrap_or_else(|error| panic!("{what}: {error}"));
-            for parts in energies(&film) {
+            for parts in energies(&motion, &film) {
                 let sum = parts.kinetic + parts.potential + parts.friction + parts.impacts;
                 assert!(
                     (sum - parts.start).abs() < 1e-10 * parts.start.max(1.0),

@@ -20,7 +20,6 @@ fn film(motion: &Trajectory) -> Film<'_> {
         slow: 3.0,
         units: None,
         hold_s: None,
-        slow_impacts: None,
     };
     Film::new(motion, &pace, FrameSize::default(), Framing::Auto).expect("it can be made")
 }
@@ -294,7 +293,6 @@ fn a_plane_with_a_slope_is_tilted_under_a_level_camera() {
             slow: 3.0,
             units: None,
             hold_s: None,
-            slow_impacts: None,
         };
         let film =
             Film::new(&motion, &pace, FrameSize::default(), framing).expect("it can be made");

@@ -11,7 +11,6 @@ const PACE: Pace = Pace {
     slow: 3.0,
     units: None,
     hold_s: None,
-    slow_impacts: None,
 };
 
 fn motion(name: &str) -> Trajectory {

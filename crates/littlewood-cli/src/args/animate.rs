@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use littlewood_film::{EnergyBar, Framing, With};
+use littlewood_film::{Framing, With};
 
 use super::{ProblemArgs, RunArgs, number, size};
 
@@ -24,7 +24,7 @@ Examples:
   littlewood animate figure-7 --slow 6 --fps 50 --size 1280x720 --out figure-7.gif
   littlewood animate libration --fps 60 --size 1920x1080 --out libration.mp4
   littlewood animate figure-3 --with plane --size 1280x720 --out plane.gif
-  littlewood animate figure-3-bounces --slow-impacts 8 --out bounces.gif
+  littlewood animate figure-3-bounces --with energy --out bounces.gif
   littlewood animate figure-3 --particle-mass-kg 0.14 --radius-m 0.45 --slow 10 --out hoop.gif";
 
 /// Arguments of `littlewood animate`.
@@ -56,15 +56,8 @@ pub(crate) struct AnimateArgs {
     /// How the camera moves
     #[arg(long, value_enum, default_value_t, help_heading = "Film")]
     pub(crate) camera: Framing,
-    /// Slow motion around impacts, by this factor; at each impact the picture stands still while
-    /// the impulse grows. Small bounces are not slowed down
-    #[arg(long, value_name = "FACTOR", value_parser = number, help_heading = "Film")]
-    pub(crate) slow_impacts: Option<f64>,
-    /// Show the energy as a bar: kinetic, potential, lost to friction, lost in impacts
-    #[arg(long, value_enum, default_value_t, help_heading = "Film")]
-    pub(crate) energy_bar: EnergyBar,
-    /// Show a second picture beside the hoop, instead of the energy bar
-    #[arg(long, value_enum, help_heading = "Film", conflicts_with = "energy_bar")]
+    /// Show a second picture beside the hoop
+    #[arg(long, value_enum, help_heading = "Film")]
     pub(crate) with: Option<With>,
     /// Seconds to hold the last frame [default: 1.5; 0 for an oscillation, which loops]
     #[arg(long, value_name = "S", value_parser = number, help_heading = "Film")]

@@ -77,11 +77,10 @@ fn of_figure(error: &FigureError) -> Cow<'_, str> {
         FigureError::NeedsMassless { .. } => {
             "give --mass-ratio 0 and --inertia 0, or leave the figure out"
         }
-        FigureError::NeedsStartOnPlane { .. } => "leave --gap-rate out, or leave the figure out",
         FigureError::NeedsRim { .. } => "give --offset 1, or leave the figure out",
         FigureError::NeedsOffset { .. } => "give --offset above 0",
         FigureError::NeedsStaticFriction { .. } => "give --mu-s above 0, or leave the figure out",
-        FigureError::NoContact { .. } | FigureError::NoForce { .. } => {
+        FigureError::NoContact { .. } => {
             "give a start at which the hoop stays on the plane, or leave the figure out"
         }
         FigureError::NeedsLevel { .. } => "leave out --slope, or the figure",

@@ -338,8 +338,8 @@ fn animate(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
     }
     if draw.comes(0.3) {
         words.extend([
-            "--slow-impacts".to_owned(),
-            draw.one_of(&["1", "2", "0.5", "inf"]).to_owned(),
+            "--with".to_owned(),
+            draw.one_of(&["plane", "friction", "energy"]).to_owned(),
         ]);
     }
     words

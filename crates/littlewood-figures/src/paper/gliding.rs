@@ -16,12 +16,12 @@ use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::plane::{Portrait, in_time, mirrored, rows_with, unloading_lines};
 
-pub(super) const WINDOW: Window = Window {
+const WINDOW: Window = Window {
     x: [-PI, PI],
     y: [-2.6, 2.6],
 };
 /// Many lines side by side, told from rolling by where they are: dashes would only disturb.
-pub(super) const GLIDING: Stroke = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
+const GLIDING: Stroke = Stroke::of_mode(Mode::Gliding).dashed(Dash::Solid);
 /// Lines that run side by side.
 const THIN: f64 = 1.2;
 const COLUMNS: [&str; 3] = [THETA, THETA_RATE, W];
@@ -29,13 +29,7 @@ const COLUMNS: [&str; 3] = [THETA, THETA_RATE, W];
 /// A line of constant w = ½ ℓ̂² sin²θ θ′² + ℓ̂ cos θ. The particle falls freely: with its vertical
 /// velocity V, from one value to another, as the parameter, ℓ̂ cos θ = w − ½ V² and
 /// θ′ = −V/(ℓ̂ sin θ).
-pub(super) fn line_of(
-    body: &Massless,
-    w: f64,
-    side: f64,
-    from: f64,
-    to: f64,
-) -> Vec<Vec<[f64; 3]>> {
+fn line_of(body: &Massless, w: f64, side: f64, from: f64, to: f64) -> Vec<Vec<[f64; 3]>> {
     let l = body.offset;
     let pieces = WINDOW.pieces([from, to], 600, &|v| {
         // 1 − cos θ and 1 + cos θ, without cancellation at the top.
@@ -53,7 +47,7 @@ pub(super) fn line_of(
 }
 
 /// The greatest speed of a fall with this w: to the lowest place.
-pub(super) fn fastest(body: &Massless, w: f64) -> f64 {
+fn fastest(body: &Massless, w: f64) -> f64 {
     (2.0 * (w + body.offset)).sqrt()
 }
 

@@ -1,13 +1,9 @@
 //! The figures: those of the paper, one after the other, then more of the same hoop.
 
-pub(crate) mod atlas;
 pub(crate) mod bounces;
-pub(crate) mod demand;
 pub(crate) mod gliding;
 pub(crate) mod histories;
-pub(crate) mod hodograph;
 pub(crate) mod impact;
-pub(crate) mod inertia;
 pub(crate) mod loci;
 pub(crate) mod outcomes;
 pub(crate) mod overview;
@@ -15,7 +11,6 @@ pub(crate) mod painleve;
 pub(crate) mod paths;
 pub(crate) mod phase_path;
 pub(crate) mod portrait;
-pub(crate) mod printed;
 pub(crate) mod schematic;
 pub(crate) mod state_space;
 pub(crate) mod stroboscope;

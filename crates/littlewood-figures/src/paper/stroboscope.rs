@@ -178,8 +178,9 @@ fn picture(
     input: &FigureInput,
     path: &[Sample],
     samples: &[Sample],
+    width: f64,
 ) -> Result<Picture, FigureError> {
-    let (sheet, say, slope) = (input.sheet(WIDTH)?, motion.say, motion.hoop().slope());
+    let (sheet, say, slope) = (input.sheet(width)?, motion.say, motion.hoop().slope());
     let Extent {
         left,
         right,
@@ -219,12 +220,17 @@ fn picture(
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
+    wide(input, WIDTH)
+}
+
+/// The same, so wide on a screen.
+pub(crate) fn wide(input: &FigureInput, width: f64) -> Result<Figure, FigureError> {
     let motion = input.motion(NAME)?;
     let (hoop, say) = (motion.hoop(), motion.say);
     let until = end_of(&motion);
     let path: Vec<Sample> = motion.sample_evenly(INSTANTS, until).collect();
     let (samples, step) = instants(&motion, &path, until);
-    let mut picture = picture(&motion, input, &path, &samples)?;
+    let mut picture = picture(&motion, input, &path, &samples, width)?;
     let mut keys: Entries = Vec::new();
     for mode in Mode::ALL {
         let mut own = samples.iter().filter(|it| it.mode == mode).peekable();
