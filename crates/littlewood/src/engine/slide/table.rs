@@ -513,6 +513,43 @@ mod tests {
         }
     }
 
+    /// n³ P σ η″ from the equations of motion, at angles all over a table, lies within the bound of
+    /// what the sum leaves out. The bound adds sizes of coefficients that partly cancel, and is wider
+    /// than it must be by that alone. u_c has either sign, and any size.
+    #[test]
+    fn slip_accelerations_lie_within_their_band_however_fast_a_slide_is() {
+        let hoop = Hoop::equal_masses(0.5, 0.4).unwrap();
+        for (law, sigma, interval, table) in tables(&hoop, 0) {
+            for u_centre in [1e-3, 1.0, 30.0, 1e4, -1e4] {
+                let TruncatedPolynomial { low, remainder } = table.slip_acceleration(u_centre);
+                let (mut widest, mut size) = (0.0_f64, 0.0_f64);
+                for k in 0..=80 {
+                    let t = 0.025 * f64::from(k) - 1.0;
+                    let z = table.width * t;
+                    let Angle { sin, cos } = table.angle.plus(Angle::of_half_tangent(z));
+                    let (alpha, beta) = law.slip_acceleration(sin, cos);
+                    let u = value(&table.p, t) + u_centre * value(&table.h, t);
+                    let factor = libm::pow(1.0 + z * z, 3.0) * law.p(sin, law.q(1.0, sin, cos));
+                    let exact = factor * sigma * (alpha + beta * u);
+                    // The value of a Bernstein form, by repeated means of its coefficients.
+                    let (mut means, at) = (low, 0.5 * (1.0 + t));
+                    for last in (1..means.len()).rev() {
+                        for j in 0..last {
+                            means[j] += at * (means[j + 1] - means[j]);
+                        }
+                    }
+                    widest = widest.max((means[0] - exact).abs());
+                    size = size.max(factor * (alpha.abs() + (beta * u).abs()));
+                }
+                let rounding = 64.0 * f64::EPSILON * size;
+                assert!(
+                    widest <= remainder + rounding && remainder <= 1e4 * (widest + rounding),
+                    "{interval:?} {u_centre}: {widest:e} {remainder:e} {rounding:e}"
+                );
+            }
+        }
+    }
+
     /// Where η″ rises through zero it is nowhere less than the bound.
     #[test]
     fn slip_accelerations_are_no_less_than_their_bound() {
