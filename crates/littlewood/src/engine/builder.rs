@@ -9,8 +9,8 @@ use crate::motion::summary::Summary;
 /// Starts of one hoop from which on motions use its tables from their first phase on.
 const MANY: u64 = 256;
 
-/// Starts of one hoop from which on chains of slips are interpolated from the first slip of a
-/// motion on: the maps cost as much as so many motions.
+/// Starts of one hoop from which on slides out of rolling are interpolated, and chains of slips from
+/// the first slip of a motion on: what is prepared costs as much as so many motions.
 const MANY_FOR_MAPS: u64 = 4_096;
 
 /// With fewer starts, phases of a motion before its slips are interpolated: few motions have more,
@@ -76,15 +76,22 @@ impl EngineBuilder {
 
     /// The engine.
     pub fn build(self) -> Engine {
-        let phases_before_links = if self.starts >= MANY_FOR_MAPS {
-            0
-        } else {
-            PHASES_BEFORE_LINKS
+        if !self.prepares() {
+            return Engine::for_few_starts(&self.hoop);
+        }
+        let is_worth_maps = self.starts >= MANY_FOR_MAPS;
+        let engine = Engine {
+            interpolates_slides: is_worth_maps,
+            ..Engine::new(&self.hoop)
         };
-        match (self.prepares(), self.interpolates_slips) {
-            (true, true) => Engine::new(&self.hoop).with_slip_maps(phases_before_links),
-            (true, false) => Engine::new(&self.hoop),
-            (false, _) => Engine::for_few_starts(&self.hoop),
+        if self.interpolates_slips {
+            engine.with_slip_maps(if is_worth_maps {
+                0
+            } else {
+                PHASES_BEFORE_LINKS
+            })
+        } else {
+            engine
         }
     }
 }

@@ -18,6 +18,7 @@ mod orbit;
 mod quadrature;
 mod roll;
 mod slide;
+mod slip_slides;
 mod slope;
 mod solver;
 mod state;
@@ -94,6 +95,8 @@ pub struct Engine {
     phases_before_links: u32,
     /// Whether tables are used from the first phase of a motion on.
     is_prepared: bool,
+    /// Whether slides out of rolling are interpolated.
+    interpolates_slides: bool,
     contact: ContactProof,
 }
 
@@ -110,6 +113,7 @@ impl Engine {
         let engine = Self::for_few_starts(hoop);
         Self {
             is_prepared: engine.model.is_some(),
+            interpolates_slides: true,
             ..engine
         }
     }
@@ -146,6 +150,7 @@ impl Engine {
             slip_maps: None,
             phases_before_links: 0,
             is_prepared: false,
+            interpolates_slides: false,
             contact: ContactProof::default(),
         }
     }
@@ -247,6 +252,7 @@ impl Engine {
             .filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
         let solver = FastSolver::new(&self.hoop, model, limits)
             .with_slip_maps(slip_maps, self.phases_before_links)
+            .with_interpolated_slides(self.interpolates_slides)
             .behind_simulated(simulated_phases);
         let solver = if self.is_prepared {
             solver

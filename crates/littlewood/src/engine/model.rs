@@ -8,7 +8,10 @@ use crate::modes::rolling::HalfAngleOrbit;
 use super::fallback::{Fallback, FallbackCounts};
 use super::orbit::OrbitPoint;
 use super::roll::{self, MarginTables, Margins, RollEnd, margins_of};
-use super::slide::{MotionFrame, SlideEnd, SlidePoint, SlideProblem, SlideTables, solve_slide};
+use super::slide::{
+    MotionFrame, SlideEnd, SlideEvent, SlidePoint, SlideProblem, SlideTables, solve_slide,
+};
+use super::slip_slides::{SlideSource, SlipSlides};
 use super::slope::{self, SlopeTables};
 use super::state::EngineState;
 
@@ -22,6 +25,8 @@ pub(super) struct HoopModel {
     /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
     pub(super) is_solvable: bool,
     slide_tables: SlideTables,
+    /// Slides out of rolling; none where they are followed.
+    slip_slides: Option<SlipSlides>,
     margin_tables: MarginTables,
     /// Rolling to positive and to negative angles on a slope.
     slope_tables: Option<Box<[SlopeTables; 2]>>,
@@ -34,6 +39,8 @@ pub(super) struct SlideStart {
     pub(super) slip: SlipDirection,
     /// Whether η′ = η″ = 0.
     pub(super) from_limit: bool,
+    /// Whether it begins where rolling slips, and slides that do are interpolated.
+    pub(super) is_interpolated: bool,
     pub(super) time_left: f64,
 }
 
@@ -53,6 +60,7 @@ impl HoopModel {
             margins: margins_of(hoop, 1.0)?,
             is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
             slide_tables: SlideTables::default(),
+            slip_slides: SlipSlides::are_interpolated(hoop).then(SlipSlides::default),
             margin_tables: MarginTables::default(),
             slope_tables: (hoop.slope() != 0.0)
                 .then(|| Box::new([1.0, -1.0].map(|heading| SlopeTables::new(hoop, heading)))),
@@ -132,29 +140,54 @@ impl HoopModel {
         let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
         let sigma = slide.slip.sign();
         let slip_coefficient = law.slip_coefficient(angle.sin, angle.cos);
+        let frame = MotionFrame {
+            laws: &self.sliding,
+            mirror,
+            theta: mirror * state.theta,
+            sigma: mirror * sigma,
+            integral: mirror * (state.slip - state.theta_rate * slip_coefficient),
+        };
+        let start = SlidePoint {
+            z: 0.0,
+            u,
+            elapsed: 0.0,
+            slip: sigma * state.slip,
+            slip_acceleration: if slide.from_limit {
+                0.0
+            } else {
+                sigma * (alpha + beta * u)
+            },
+            angle: angle.mirrored_by(mirror),
+        };
+        if slide.is_interpolated
+            && let Some(event) = self.interpolated(&frame, &start)
+            && event.elapsed <= slide.time_left
+        {
+            return Ok(SlideEnd::Event(event));
+        }
         solve_slide(SlideProblem {
-            frame: MotionFrame {
-                laws: &self.sliding,
-                mirror,
-                theta: mirror * state.theta,
-                sigma: mirror * sigma,
-                integral: mirror * (state.slip - state.theta_rate * slip_coefficient),
-            },
-            start: SlidePoint {
-                z: 0.0,
-                u,
-                elapsed: 0.0,
-                slip: sigma * state.slip,
-                slip_acceleration: if slide.from_limit {
-                    0.0
-                } else {
-                    sigma * (alpha + beta * u)
-                },
-                angle: angle.mirrored_by(mirror),
-            },
+            frame,
+            start,
             from_limit: slide.from_limit,
             time_left: slide.time_left,
             tables: uses_tables.then_some(&self.slide_tables),
         })
+    }
+
+    /// The end of a slide out of rolling, if it is interpolated.
+    fn interpolated(&self, frame: &MotionFrame<'_>, start: &SlidePoint) -> Option<SlideEvent> {
+        let slides = self.slip_slides.as_ref()?;
+        let event = slides.end(self.slide_source(), frame, start)?;
+        Some(event.mirrored_by(frame.mirror))
+    }
+
+    /// What slides out of rolling are computed from.
+    pub(super) const fn slide_source(&self) -> SlideSource<'_> {
+        SlideSource {
+            laws: &self.sliding,
+            rolling: &self.rolling,
+            margins: &self.margins,
+            tables: &self.slide_tables,
+        }
     }
 }

@@ -54,8 +54,11 @@ pub(super) struct FastSolver<'a> {
     /// Phases in contact so far.
     phases: Cell<u32>,
     error_model: ErrorModel,
-    /// In a cell, since [`Solver`] has no state but this and the count of phases.
+    /// In a cell, since [`Solver`] has no state but this, the count of phases, and the next.
     error: Cell<ErrorBound>,
+    interpolates_slides: bool,
+    /// Whether the last phase was rolling that has slipped.
+    has_slipped: Cell<bool>,
 }
 
 /// Equilibria of a slide without kinetic friction are nearer than this part of its energy.
@@ -115,6 +118,16 @@ impl<'a> FastSolver<'a> {
             phases: Cell::new(0),
             error_model: ErrorModel::new(&model.body, hoop.mu_s()),
             error: Cell::new(ErrorBound::Exact),
+            interpolates_slides: false,
+            has_slipped: Cell::new(false),
+        }
+    }
+
+    /// Interpolates slides out of rolling.
+    pub(super) fn with_interpolated_slides(self, interpolates_slides: bool) -> Self {
+        Self {
+            interpolates_slides,
+            ..self
         }
     }
 
@@ -441,6 +454,7 @@ impl<'a> FastSolver<'a> {
         };
         let limit = RollingLimit::Friction(mirrored_slip(slip.slip, heading));
         self.add_phase_error(&end);
+        self.has_slipped.set(true);
         PhaseEnd::Event {
             point: EngineState {
                 state: end,
@@ -577,6 +591,7 @@ impl Solver for FastSolver<'_> {
     #[inline(always)]
     fn roll(&self, place: &EngineState, on_limit: bool) -> PhaseResult<Self> {
         let state = place.state;
+        self.has_slipped.set(false);
         let left_to_the_simulation = |reason: Fallback| {
             self.model.fallbacks.add(reason);
             Self::from_exact(self.exact.roll(&state, on_limit))
@@ -630,6 +645,7 @@ impl Solver for FastSolver<'_> {
         may_lift_off: bool,
     ) -> PhaseResult<Self> {
         let state = place.state;
+        let has_slipped = self.has_slipped.take();
         let is_conservative = self.hoop.mu_k() == 0.0;
         let left_to_the_simulation = |reason: Fallback| {
             self.model.fallbacks.add(reason);
@@ -674,12 +690,14 @@ impl Solver for FastSolver<'_> {
         if is_conservative && is_next_to_equilibrium(body, place) {
             return left_to_the_simulation(Fallback::Separatrix);
         }
+        let uses_tables = self.uses_tables();
         let begin = SlideStart {
             slip: direction,
             from_limit: entry == ON_LIMIT,
+            is_interpolated: has_slipped && self.interpolates_slides && uses_tables,
             time_left: self.until() - state.time,
         };
-        let end = match self.model.slide(place, begin, self.uses_tables()) {
+        let end = match self.model.slide(place, begin, uses_tables) {
             Ok(SlideEnd::Event(event)) => self.slide_event(place, direction, &event),
             Ok(SlideEnd::Cut(event)) => {
                 let end = self.slide_end(place, direction, &event, true);
@@ -705,6 +723,7 @@ impl Solver for FastSolver<'_> {
     #[inline(always)]
     fn fly(&self, place: &EngineState, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
         let state = place.state;
+        self.has_slipped.set(false);
         if let Some(result) = self.not_computed(state, |exact| exact.fly(&state, body, take_off)) {
             return result;
         }

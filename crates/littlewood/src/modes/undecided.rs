@@ -16,6 +16,8 @@ named! {
         ContactAtSingularity = 2, "contact_at_singularity" => ("w next to P = 0", Dimension::Ratio);
         /// The time in which a slide changes, against the last digit of τ.
         TimeScale = 3, "time_scale" => ("the time in which the slide changes", Dimension::Time);
+        /// The gap rate after an impact, against the smallest number with all digits.
+        GapRate = 4, "gap_rate" => ("the gap rate after the impact", Dimension::Velocity);
     }
 }
 

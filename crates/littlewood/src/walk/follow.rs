@@ -10,7 +10,7 @@ use crate::model::{
     Body, Heavy, Hoop, Limits, MAX_COORDINATE, Mode, Quantity, SlipDirection, State,
     length_of_slide, weight_of_slides,
 };
-use crate::modes::{RollingLimit, SlideLimit, TakeOff, Undecided};
+use crate::modes::{Margin, RollingLimit, SlideLimit, TakeOff, Undecided};
 use crate::walk::solver::SkipBudget;
 use crate::walk::{
     Arrival, Cause, Event, LastSlip, NextMotion, Outcome, PhaseDetail, PhaseEnd, PhaseRecord,
@@ -713,7 +713,12 @@ fn after_impact<T: Solver>(
     let underflows = gap_rate.is_subnormal()
         || (gap_rate == 0.0 && impact.before.gap_rate.is_subnormal() && rebounds());
     if underflows && !matches!(cursor.next, NextMotion::Settle { .. }) {
-        return Rebound::Unresolved(event);
+        let undecided = Undecided::Rounding {
+            margin: Margin::GapRate,
+            value: gap_rate,
+            bound: f64::MIN_POSITIVE,
+        };
+        return Rebound::Unresolved { event, undecided };
     }
     Rebound::Continues { event, impact }
 }

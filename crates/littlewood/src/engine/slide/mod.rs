@@ -6,6 +6,7 @@
 //! belongs to the slide ([`table`]). The time is a Gauss sum of dϑ/√u, and η′ follows from it by
 //! the first integral of sliding.
 
+mod order;
 mod regular;
 mod segment;
 mod series;
@@ -17,7 +18,8 @@ use core::f64::consts::TAU;
 
 use crate::math::trig::Angle;
 
-pub(super) use segment::SlidePoint;
+pub(super) use order::{SingleFall, SlideStrip, StripSide};
+pub(super) use segment::{SIGN_TOLERANCE, SlidePoint, slip_scale};
 pub(super) use solve::{MotionFrame, SlideProblem, solve_slide};
 pub(super) use table::SlideTables;
 
@@ -53,7 +55,7 @@ impl SlideEvent {
 
     /// The same in the frame that is mirrored for −1.
     #[inline]
-    fn mirrored_by(self, mirror: f64) -> Self {
+    pub(super) fn mirrored_by(self, mirror: f64) -> Self {
         Self {
             theta: mirror * self.theta,
             theta_rate: mirror * self.theta_rate,

@@ -23,7 +23,7 @@ pub(super) const CONVERGENCE: f64 = f64::EPSILON / 16.0;
 const WIDTH_MARGIN: f64 = 0.98;
 
 /// Degree of the polynomials whose sign is examined; what they leave out is bounded.
-const SIGN_DEGREE: usize = 10;
+pub(super) const SIGN_DEGREE: usize = 10;
 
 /// Coefficients of powers, the lowest first.
 pub(super) type Series = [f64; DEGREE + 1];
@@ -387,10 +387,14 @@ impl TruncatedPolynomial {
     pub(super) fn slip_signs(&self, min_p: f64) -> SlipSigns {
         SlipSigns {
             pattern: sign_pattern(&self.low, self.remainder),
-            // About a change of sign the function is at most twice what its sum leaves out.
-            sign_uncertainty: 2.0 * self.remainder / min_p,
+            sign_uncertainty: sign_uncertainty(self.remainder, min_p),
         }
     }
+}
+
+/// About a change of sign a function is at most twice what its sum leaves out.
+pub(super) fn sign_uncertainty(remainder: f64, min_p: f64) -> f64 {
+    2.0 * remainder / min_p
 }
 
 /// The width in z on which a series, divided by z^`lead`, has converged beside a number of this

@@ -17,7 +17,8 @@ use super::regular::{KnownTime, RegularSegment, SegmentExit, Span};
 use super::segment::{LocalCoefficients, SlidePoint};
 use super::series::{
     CONVERGENCE, InitialValue, Polynomials, Series, SignPattern, SlipSigns, TruncatedPolynomial,
-    bernstein, convergence_radius, from_both_sides, min_value, scaled, sum_of_sizes, value,
+    bernstein, convergence_radius, from_both_sides, min_value, scaled, sign_uncertainty,
+    sum_of_sizes, value,
 };
 
 /// The number of coarsest intervals in a turn.
@@ -111,6 +112,20 @@ impl AngleInterval {
         } else {
             None
         }
+    }
+
+    /// The interval that holds an angle of the turn from 0 on.
+    pub(super) fn holding(angle: f64, halvings: usize) -> Self {
+        let count = INTERVALS << halvings;
+        Self {
+            halvings,
+            number: (angle * (count as f64 / TAU)) as usize % count,
+        }
+    }
+
+    /// The angle at its end.
+    pub(super) fn end(self) -> f64 {
+        (self.number + 1) as f64 * self.width()
     }
 
     /// The edge at its end.
@@ -295,10 +310,26 @@ impl SlideTable {
         turned.sin / ((1.0 + turned.cos) * self.width)
     }
 
-    /// u_c of a slide with this u at the beginning of the interval. None where u is not known to
-    /// stay away from zero.
+    /// u_c of a slide with this u at an angle on the table.
+    pub(super) fn u_centre(&self, angle: Angle, u: f64) -> f64 {
+        let t = self.coordinate(angle);
+        let at_point = |series: &Series| value(&series[..=self.degree], t);
+        (u - at_point(&self.p)) / at_point(&self.h)
+    }
+
+    /// u_c of a slide with this u at the beginning of the interval.
+    pub(super) fn u_centre_of_entry(&self, u: f64) -> f64 {
+        (u - self.entry.p) / self.entry.h
+    }
+
+    /// u at the end of the interval.
+    pub(super) fn exit(&self, u_centre: f64) -> f64 {
+        self.exit.at(u_centre)
+    }
+
+    /// The same. None where u is not known to stay away from zero.
     fn u_centre_from_entry(&self, u: f64) -> Option<f64> {
-        let u_centre = (u - self.entry.p) / self.entry.h;
+        let u_centre = self.u_centre_of_entry(u);
         let is_zero_free = self.terms.at(u_centre) <= RegularSegment::MAX_TERM_RATIO * u_centre;
         (u_centre > 0.0 && is_zero_free).then_some(u_centre)
     }
@@ -401,12 +432,17 @@ impl SlideTable {
     }
 
     /// n³ P σ η″ of a slide in Bernstein form.
-    fn slip_acceleration(&self, u_centre: f64) -> TruncatedPolynomial {
+    pub(super) fn slip_acceleration(&self, u_centre: f64) -> TruncatedPolynomial {
         let (a, b) = (&self.a, &self.b);
         TruncatedPolynomial {
             low: core::array::from_fn(|k| a.low[k] + u_centre * b.low[k]),
             remainder: a.remainder + u_centre.abs() * b.remainder,
         }
+    }
+
+    /// The largest |η″| whose sign is not known where a sum leaves out so much.
+    pub(super) fn sign_uncertainty(&self, remainder: f64) -> f64 {
+        sign_uncertainty(remainder, self.min_p)
     }
 
     /// The signs of σ η″ of a slide on the table.
@@ -510,6 +546,43 @@ mod tests {
                 AngleInterval::about(0.0, halvings),
                 [interval(0), interval(count - 1)]
             );
+        }
+    }
+
+    /// n³ P σ η″ from the equations of motion, at angles all over a table, lies within the bound of
+    /// what the sum leaves out. The bound adds sizes of coefficients that partly cancel, and is wider
+    /// than it must be by that alone. u_c has either sign, and any size.
+    #[test]
+    fn slip_accelerations_lie_within_their_band_however_fast_a_slide_is() {
+        let hoop = Hoop::equal_masses(0.5, 0.4).unwrap();
+        for (law, sigma, interval, table) in tables(&hoop, 0) {
+            for u_centre in [1e-3, 1.0, 30.0, 1e4, -1e4] {
+                let TruncatedPolynomial { low, remainder } = table.slip_acceleration(u_centre);
+                let (mut widest, mut size) = (0.0_f64, 0.0_f64);
+                for k in 0..=80 {
+                    let t = 0.025 * f64::from(k) - 1.0;
+                    let z = table.width * t;
+                    let Angle { sin, cos } = table.angle.plus(Angle::of_half_tangent(z));
+                    let (alpha, beta) = law.slip_acceleration(sin, cos);
+                    let u = value(&table.p, t) + u_centre * value(&table.h, t);
+                    let factor = libm::pow(1.0 + z * z, 3.0) * law.p(sin, law.q(1.0, sin, cos));
+                    let exact = factor * sigma * (alpha + beta * u);
+                    // The value of a Bernstein form, by repeated means of its coefficients.
+                    let (mut means, at) = (low, 0.5 * (1.0 + t));
+                    for last in (1..means.len()).rev() {
+                        for j in 0..last {
+                            means[j] += at * (means[j + 1] - means[j]);
+                        }
+                    }
+                    widest = widest.max((means[0] - exact).abs());
+                    size = size.max(factor * (alpha.abs() + (beta * u).abs()));
+                }
+                let rounding = 64.0 * f64::EPSILON * size;
+                assert!(
+                    widest <= remainder + rounding && remainder <= 1e4 * (widest + rounding),
+                    "{interval:?} {u_centre}: {widest:e} {remainder:e} {rounding:e}"
+                );
+            }
         }
     }
 
