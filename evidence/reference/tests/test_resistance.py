@@ -14,7 +14,7 @@ from gmpy2 import mpfr
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
-from follower.arithmetic import FINE, Work
+from follower.arithmetic import FINE, Tie, Work
 from resistance import survey
 from resistance.__main__ import BOUNCES, STEPS, motions
 from resistance.balances import Body, State, answer, contact_mode
@@ -242,6 +242,10 @@ def test_large_swings_lose_what_the_first_order_says():
             errors.append(abs(real(found[0] - found[1]) / first - 1) / chi)
         # The next order is proportional to chi.
         assert errors[0] < 40 and errors[1] == pytest.approx(errors[0], rel=0.01)
+    body = Body(0.8, 0.9, 0.5, 9.0, 9.0, 0.002)
+    _, found = swings(body, 1.0, 5)
+    assert float(loss_of_a_half_swing(body, mp.mpf(1))) == pytest.approx(0.010315, abs=5e-7)
+    assert float(found[0] - found[1]) == pytest.approx(0.010290, abs=5e-7)
 
 
 def test_a_skid_need_not_end_at_rest():
@@ -374,17 +378,24 @@ def test_the_periodic_rotation_downhill(file):
 
 
 def test_the_window_of_the_rotation():
-    """u + cos slope = K/D to first order, and slower than it no rotation, faster it slips."""
-    chi = 0.01
+    """u + cos slope = K/D to first order; a steeper slope makes it slip before it loses contact."""
+
+    def body(ratio, mu=9.0):
+        return Body(1.0, 0.5, 0.8, mu, mu, 0.01, math.atan(0.01 * ratio))
+
     for ratio in (1.06, 1.1, 1.14):
-        body = Body(1.0, 0.5, 0.8, 9.0, 9.0, chi, math.atan(chi * ratio))
-        a = body.i + body.m * (1 + body.h**2)
-        kappa = a / gmpy2.sqrt(a * a - 4 * body.l**2) - 1
-        k = 4 * body.m * body.down * (body.along / body.down / body.chi - 1) / kappa
-        found = rotation(body, 1.0, 1)
-        assert found.square_rate == pytest.approx(k / (a + 2 * body.l) - body.down, rel=1e-4)
-    edges = [1 + kappa * (a + 2 * body.l) * f / (4 * body.m) for f in (1, 1 + 1 / body.h)]
+        it = body(ratio)
+        a = it.i + it.m * (1 + it.h**2)
+        kappa = a / gmpy2.sqrt(a * a - 4 * it.l**2) - 1
+        k = 4 * it.m * it.down * (it.along / it.down / it.chi - 1) / kappa
+        found = rotation(it, 1.0, 1)
+        assert found.square_rate == pytest.approx(k / (a + 2 * it.l) - it.down, rel=1e-4)
+    edges = [1 + kappa * (a + 2 * it.l) * f / (4 * it.m) for f in (1, 1 + 1 / it.h)]
     assert edges == pytest.approx([1.0296, 1.1481], abs=5e-5)
+    # Rotations slower than the periodic one do not slip.
+    assert rotation(body(1.14, 1.0), 2.0, 1).demand < 1
+    with pytest.raises(Tie, match="slip"):
+        rotation(body(1.142, 1.0), 2.0, 1)
 
 
 def test_segments_of_an_impact():
