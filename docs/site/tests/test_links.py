@@ -85,6 +85,7 @@ def test_equations_have_numbers_and_are_formulas():
         "jumps",
         "massless",
         "impact",
+        "rolling-resistance",
         "errata",
     ):
         text = (SITE / "docs" / "theory" / f"{chapter}.html").read_text(encoding="utf-8")

@@ -47,11 +47,13 @@ class Body:
     def w(self) -> float:
         return 1 - self.h * self.c * self.u
 
-    def newton(self, friction: float, normal: float) -> tuple[float, float, float]:
+    def newton(
+        self, friction: float, normal: float, couple: float = 0, slope: float = 0
+    ) -> tuple[float, float, float]:
         """(θ″, η″, y″) of (T1.4), by the accelerations of the mass centre."""
         m, h, s, c = self.m, self.h, self.s, self.c
-        turn = (h * s * normal + (1 + h * c) * friction) / self.I
-        along, up = friction / m, normal / m - 1
+        turn = (h * s * normal + (1 + h * c) * friction + couple) / self.I
+        along, up = friction / m - math.sin(slope), normal / m - math.cos(slope)
         # x̄ = x − h sin θ and ȳ = 1 + y + h cos θ, differentiated twice.
         x = along + h * (c * turn - s * self.u)
         y = up + h * (s * turn + c * self.u)
@@ -407,6 +409,60 @@ def stepped(it: Body, slip: float, gap: float, e: float, law: str) -> tuple[floa
             }[law]
             if reached:
                 return u, v
+
+
+def test_rolling_resistance():
+    for it in bodies():
+        chi, slope = RANDOM.uniform(0, 1), RANDOM.uniform(-1, 1)
+        down, along = math.cos(slope), math.sin(slope)
+        m, h, a, d = it.m, it.h, it.h * it.s, 1 + it.h * it.c
+        w, j = down - h * it.c * it.u, it.I + m * d * d
+        sigma, turning = math.copysign(1, it.slip), math.copysign(1, it.rate)
+        # (T10.3): a slide.
+        q = a - sigma * it.mu_k * d - turning * chi
+        p = it.I + m * a * q
+        normal = m * it.I * w / p
+        turn, _, gap = it.newton(-sigma * it.mu_k * normal, normal, -turning * chi * normal, slope)
+        assert (turn, gap) == pytest.approx((m * q * w / p, 0), rel=1e-7, abs=1e-9 * abs(normal))
+        # (T10.4) and (T10.5): rolling.
+        whole = it.D - turning * chi * m * a
+        assert whole == pytest.approx(j + m * a * (a - turning * chi))
+        turn = m * ((a - turning * chi) * w + d * (a * it.u + along)) / whole
+        normal = m / whole * (j * w - m * a * d * (a * it.u + along))
+        friction = m * (along - d * turn + a * it.u)
+        found = it.newton(friction, normal, -turning * chi * normal, slope)
+        scale = 1e-9 * (abs(turn) + abs(normal) + abs(friction) + 1)
+        assert found == pytest.approx((turn, 0, 0), abs=scale)
+        # (T10.6) and (T10.7): skidding and rest.
+        it.u = 0.0
+        skid = it.newton(
+            -sigma * it.mu_k * m * down, m * down, (sigma * it.mu_k * d - a) * m * down, slope
+        )
+        assert skid == pytest.approx((0, -sigma * it.mu_k * down - along, 0), abs=1e-9)
+        rest = it.newton(m * along, m * down, -(a * down + d * along) * m, slope)
+        assert rest == pytest.approx((0, 0, 0), abs=1e-9)
+        # (T10.12): the split of the closed form.
+        total = it.I + m * (1 + h * h)
+        slope_of_whole = -2 * it.l * it.s - turning * chi * it.l * it.c
+        split = (2 * whole - turning * chi * slope_of_whole - 2 * total) / (4 + chi * chi)
+        assert it.l * it.c == pytest.approx(split)
+        # (T10.17): a slide with P ≤ 0.
+        worst = min(
+            it.I + m * a * (a - s * it.mu_k * d - z * chi) for s in (-1, 1) for z in (-1, 1)
+        )
+        assert (worst <= 0) == (it.mu_k * d + chi >= abs(a) + it.I / (m * abs(a)))
+
+
+def test_massless_rolling_with_resistance():
+    for theta, rate in RANDOM.uniform(-0.9, 0.9, (50, 2)):
+        h, chi, turning = RANDOM.uniform(0.2, 1), RANDOM.uniform(0, 0.5), math.copysign(1, rate)
+        s, c, u = math.sin(theta), math.cos(theta), rate**2
+        a, d = h * s, 1 + h * c
+        normal = d * (1 + h * c - h * (h + c) * u) / (d * d + a * (a - turning * chi))  # (T10.23)
+        friction = -(a - turning * chi) / d * normal
+        # The accelerations of the particle, at (x − h sin θ, 1 + h cos θ) with x″ = −θ″.
+        turn = (h * s * u - friction) / d
+        assert -h * (s * turn + c * u) == pytest.approx(normal - 1)
 
 
 def test_ends():
