@@ -5,7 +5,7 @@ use littlewood::si::Units;
 use littlewood::tables::Dimension;
 use littlewood_style::{EnergyPart, Rgb};
 
-use crate::canvas::Canvas;
+use crate::canvas::{Canvas, Place};
 use crate::colour::{self, INK, PAPER, SOFT};
 use crate::letters::Style;
 use crate::pane::unit_sign;
@@ -97,21 +97,26 @@ pub(crate) struct Column {
 /// The bar in its column; what is lost hangs from the top of what was there at the start.
 pub(crate) fn draw_bar(canvas: &mut Canvas, column: Column, bar: &Bar<'_>, unit: f64) {
     let Column { left, top, bottom } = column;
-    canvas.rectangle((left, top), COLUMN * unit, bottom - top, PAPER);
+    canvas.rectangle(Place::new(left, top), COLUMN * unit, bottom - top, PAPER);
     let left = left + BESIDE * unit;
     let (top, bottom) = (top + ABOVE * unit, bottom - BELOW * unit);
     let level = |place: f64| bottom - place * (bottom - top);
     let wide = WIDTH * unit;
     for (part, [from, to]) in bar.stack() {
         let height = level(from) - level(to);
-        canvas.rectangle((left, level(to)), wide, height, of_energy(part));
+        canvas.rectangle(Place::new(left, level(to)), wide, height, of_energy(part));
         if height > 3.0 * unit {
-            canvas.rectangle((left, level(from) - 0.5 * unit), wide, unit, PAPER);
+            canvas.rectangle(
+                Place::new(left, level(from) - 0.5 * unit),
+                wide,
+                unit,
+                PAPER,
+            );
         }
     }
     let mut mark = |place: f64, beyond: f64| {
         canvas.rectangle(
-            (left - beyond * unit, level(place) - 0.6 * unit),
+            Place::new(left - beyond * unit, level(place) - 0.6 * unit),
             wide + 2.0 * beyond * unit,
             1.2 * unit,
             INK,
@@ -129,7 +134,7 @@ pub(crate) fn draw_bar(canvas: &mut Canvas, column: Column, bar: &Bar<'_>, unit:
         };
         canvas.words(
             "0",
-            (left - 1.5 * unit, level(zero) + 3.0 * unit),
+            Place::new(left - 1.5 * unit, level(zero) + 3.0 * unit),
             style,
             INK,
         );
@@ -159,15 +164,20 @@ fn draw_words(canvas: &mut Canvas, column: Column, bar: &Bar<'_>, unit: f64) {
     for (i, part) in EnergyPart::ALL.into_iter().rev().enumerate() {
         let middle = top + (i as f64 + 0.5) * each;
         canvas.rectangle(
-            (left, middle - 11.0 * unit),
+            Place::new(left, middle - 11.0 * unit),
             4.0 * unit,
             24.0 * unit,
             of_energy(part),
         );
         let x = left + 8.0 * unit;
-        canvas.words(part.label(), (x, middle - 2.0 * unit), style, SOFT);
+        canvas.words(
+            part.label(),
+            Place::new(x, middle - 2.0 * unit),
+            style,
+            SOFT,
+        );
         let value = format!("{} {sign}", bar.value(part));
-        canvas.words(&value, (x, middle + 11.0 * unit), bold, INK);
+        canvas.words(&value, Place::new(x, middle + 11.0 * unit), bold, INK);
     }
 }
 
