@@ -12,7 +12,7 @@ use crate::canvas::{Canvas, Place};
 use crate::colour::{FRICTION_FORCE, IMPULSE, INK, LINE, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode};
 use crate::ground::CONTACT;
 use crate::letters::Style;
-use crate::scene::{DrawnArrow, Scene};
+use crate::scene::{Direction, DrawnArrow, Scene};
 use crate::trail::Trail;
 use littlewood_style::Rgb;
 
@@ -70,7 +70,7 @@ pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &
         let is_long = mark % 6 == 0;
         let inner = radius - rim * if is_long { 2.1 } else { 1.0 };
         let (sin, cos) = libm::sincos(angle);
-        let at = |r: f64| (centre.0 - r * sin, centre.1 - r * cos);
+        let at = |r: f64| centre.shifted(-(r * sin), -(r * cos));
         canvas.line(&[at(inner), at(radius - 0.4 * unit)], 1.1 * unit, SOFT);
     }
     let particle = view.place(scene.sample.particle);
@@ -89,14 +89,14 @@ fn particle_radius(radius: f64, unit: f64) -> f64 {
 }
 
 /// The sign of a mass centre: a disc with two of its quarters black.
-pub(crate) fn draw_mass_centre(canvas: &mut Canvas, (x, y): Place, radius: f64) {
-    canvas.disc((x, y), radius, INK);
-    canvas.disc((x, y), 0.8 * radius, PAPER);
+pub(crate) fn draw_mass_centre(canvas: &mut Canvas, centre: Place, radius: f64) {
+    canvas.disc(centre, radius, INK);
+    canvas.disc(centre, 0.8 * radius, PAPER);
     for (from, to) in [(0.0, 0.5 * PI), (PI, 1.5 * PI)] {
-        let mut quarter = vec![(x, y)];
+        let mut quarter = vec![centre];
         for i in 0..=8 {
             let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / 8.0);
-            quarter.push((x + 0.9 * radius * cos, y - 0.9 * radius * sin));
+            quarter.push(centre.shifted(0.9 * radius * cos, -(0.9 * radius * sin)));
         }
         canvas.polygon(&quarter, INK);
     }
@@ -147,7 +147,7 @@ impl Arrows<'_> {
         } else {
             -11.0
         };
-        let place = (head.0 + side * unit, head.1 - 2.0 * unit);
+        let place = head.shifted(side * unit, -(2.0 * unit));
         canvas.label(WEIGHT, place, self.style(), SOFT);
     }
 
@@ -160,9 +160,9 @@ impl Arrows<'_> {
         let [tail, head] = [tail, head].map(|place| self.view.moved(place, 0.0, lowered));
         let shape = Shape::Thin.unless_cut(slip);
         let side = shape.draw(canvas, tail, head, SLIP, unit);
-        let place = (
-            head.0 + 11.0 * unit * side.0,
-            head.1 + 4.0 * unit + 11.0 * unit * side.1,
+        let place = Place::new(
+            head.x + 11.0 * unit * side.x,
+            head.y + 4.0 * unit + 11.0 * unit * side.y,
         );
         canvas.label(
             &marked(SampleColumn::Slip.sign()),
@@ -181,7 +181,7 @@ impl Arrows<'_> {
         let shape = Shape::Hollow.unless_cut(friction);
         let side = shape.draw(canvas, tail, head, FRICTION_FORCE, unit);
         // Below the plane, where neither the particle nor, on this side, the slip velocity is.
-        let beyond = (head.0 + 7.0 * unit * side.0, head.1 + 7.0 * unit * side.1);
+        let beyond = head.shifted(7.0 * unit * side.x, 7.0 * unit * side.y);
         canvas.label(
             &marked(SampleColumn::Friction.sign()),
             self.view.moved(beyond, 0.0, 16.0 * unit),
@@ -201,7 +201,7 @@ impl Arrows<'_> {
         } else {
             11.0
         };
-        let above = (head.0, head.1 + 6.0 * unit);
+        let above = head.shifted(0.0, 6.0 * unit);
         canvas.label(
             &marked(SampleColumn::Normal.sign()),
             self.view.moved(above, side * unit, 0.0),
@@ -242,17 +242,23 @@ impl Shape {
         head: Place,
         colour: Rgb,
         unit: f64,
-    ) -> (f64, f64) {
-        let along = (head.0 - tail.0, head.1 - tail.1);
-        let length = libm::hypot(along.0, along.1);
+    ) -> Direction {
+        let along = Direction {
+            x: head.x - tail.x,
+            y: head.y - tail.y,
+        };
+        let length = libm::hypot(along.x, along.y);
         if length == 0.0 {
-            return (0.0, 0.0);
+            return along;
         }
         let arrow = Arrow {
             tail,
             head,
             length,
-            direction: (along.0 / length, along.1 / length),
+            direction: Direction {
+                x: along.x / length,
+                y: along.y / length,
+            },
             colour,
             unit,
         };
@@ -273,7 +279,7 @@ struct Arrow {
     head: Place,
     length: f64,
     /// From the tail to the head, of length 1.
-    direction: (f64, f64),
+    direction: Direction,
     colour: Rgb,
     /// Pixels of a unit of lettering.
     unit: f64,
@@ -282,10 +288,10 @@ struct Arrow {
 impl Arrow {
     /// So far back from the head, and to the side.
     fn at(&self, back: f64, aside: f64) -> Place {
-        let (x, y) = self.direction;
-        (
-            self.head.0 - back * x - aside * y,
-            self.head.1 - back * y + aside * x,
+        let Direction { x, y } = self.direction;
+        Place::new(
+            self.head.x - back * x - aside * y,
+            self.head.y - back * y + aside * x,
         )
     }
 
@@ -304,11 +310,11 @@ impl Arrow {
         let tip = self.tip(9.0);
         let half = 0.42 * tip;
         self.draw_line(canvas, 0.8 * tip, 0.3 * tip, 1.2);
-        let (x, y) = self.direction;
+        let Direction { x, y } = self.direction;
         for back in [0.0, 0.75 * tip].into_iter().take(heads) {
             let point = self.at(back, 0.0);
-            let base = (point.0 - tip * x, point.1 - tip * y);
-            let side = |half: f64| (base.0 - half * y, base.1 + half * x);
+            let base = point.shifted(-(tip * x), -(tip * y));
+            let side = |half: f64| base.shifted(-(half * y), half * x);
             canvas.polygon(&[point, side(half), side(-half)], self.colour);
         }
     }
@@ -362,7 +368,7 @@ pub(crate) fn draw_impulse(
 ) {
     let Some(impulse) = scene.impulse else { return };
     let (tail, head) = (view.place(impulse.tail), view.place(impulse.head));
-    let length = libm::hypot(head.0 - tail.0, head.1 - tail.1);
+    let length = libm::hypot(head.x - tail.x, head.y - tail.y);
     if length < unit {
         return;
     }
@@ -380,8 +386,8 @@ pub(crate) fn draw_impulse(
     };
     for (i, words) in words.iter().enumerate() {
         // Above the plane, however short the arrow is.
-        let top = (head.1 + 4.0 * unit).min(tail.1 - 20.0 * unit);
-        let place = (head.0 + side * unit, top + 14.0 * i as f64 * unit);
+        let top = (head.y + 4.0 * unit).min(tail.y - 20.0 * unit);
+        let place = Place::new(head.x + side * unit, top + 14.0 * i as f64 * unit);
         canvas.label(words, place, style, IMPULSE);
     }
 }

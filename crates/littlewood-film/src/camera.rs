@@ -4,6 +4,7 @@
 use littlewood::modes::Position;
 use littlewood::{Hoop, Sample, Trajectory};
 
+use crate::canvas::Place;
 use crate::scene::{ArrowScale, Scene};
 use crate::schedule::Schedule;
 
@@ -96,7 +97,7 @@ pub(crate) struct View {
     pub(crate) scale: f64,
     pub(crate) tilt: Tilt,
     /// The place of the point (0, 0) in the picture.
-    pub(crate) origin: (f64, f64),
+    pub(crate) origin: Place,
 }
 
 impl Camera {
@@ -197,25 +198,28 @@ impl Camera {
         View {
             scale: self.scale,
             tilt: self.tilt,
-            origin: (left + 0.5 * width - across * self.scale, origin_y),
+            origin: Place::new(left + 0.5 * width - across * self.scale, origin_y),
         }
     }
 }
 
 impl View {
     /// Place of a point in the picture.
-    pub(crate) fn place(&self, point: Position) -> (f64, f64) {
+    pub(crate) fn place(&self, point: Position) -> Place {
         let point = self.tilt.level(point);
-        (
-            self.origin.0 + self.scale * point.x,
-            self.origin.1 - self.scale * point.y,
+        Place::new(
+            self.origin.x + self.scale * point.x,
+            self.origin.y - self.scale * point.y,
         )
     }
 
     /// A place so many pixels further along the plane and into it.
-    pub(crate) fn moved(&self, (x, y): (f64, f64), along: f64, into: f64) -> (f64, f64) {
+    pub(crate) fn moved(&self, place: Place, along: f64, into: f64) -> Place {
         let Tilt { sin, cos, .. } = self.tilt;
-        (x + along * cos + into * sin, y - along * sin + into * cos)
+        Place::new(
+            place.x + along * cos + into * sin,
+            place.y - along * sin + into * cos,
+        )
     }
 
     /// Between which x the plane is seen in a window.
@@ -228,8 +232,8 @@ impl View {
         } = window;
         let Tilt { sin, cos, .. } = self.tilt;
         let sides = [
-            (self.origin.0, self.scale * cos, [left, left + width]),
-            (self.origin.1, -self.scale * sin, [top, top + height]),
+            (self.origin.x, self.scale * cos, [left, left + width]),
+            (self.origin.y, -self.scale * sin, [top, top + height]),
         ];
         let crossings =
             sides
@@ -245,7 +249,7 @@ impl View {
     }
 
     /// The corners of what lies under the plane in a window.
-    pub(crate) fn under(&self, window: Window) -> Vec<(f64, f64)> {
+    pub(crate) fn under(&self, window: Window) -> Vec<Place> {
         let Window {
             left,
             top,
@@ -253,13 +257,13 @@ impl View {
             height,
         } = window;
         let corners = [
-            (left, top),
-            (left + width, top),
-            (left + width, top + height),
-            (left, top + height),
+            Place::new(left, top),
+            Place::new(left + width, top),
+            Place::new(left + width, top + height),
+            Place::new(left, top + height),
         ];
-        let depth = |(x, y): (f64, f64)| {
-            (x - self.origin.0) * self.tilt.sin + (y - self.origin.1) * self.tilt.cos
+        let depth = |corner: Place| {
+            (corner.x - self.origin.x) * self.tilt.sin + (corner.y - self.origin.y) * self.tilt.cos
         };
         let mut under = Vec::new();
         for (i, corner) in corners.into_iter().enumerate() {
@@ -270,9 +274,9 @@ impl View {
             }
             if (here > 0.0) != (there > 0.0) {
                 let share = here / (here - there);
-                under.push((
-                    corner.0 + share * (next.0 - corner.0),
-                    corner.1 + share * (next.1 - corner.1),
+                under.push(Place::new(
+                    corner.x + share * (next.x - corner.x),
+                    corner.y + share * (next.y - corner.y),
                 ));
             }
         }
@@ -308,25 +312,25 @@ mod tests {
             let view = View {
                 scale: 100.0,
                 tilt: Tilt::of(&hoop),
-                origin: (320.0, 300.0),
+                origin: Place::new(320.0, 300.0),
             };
             let weight = scene.weight.expect("an arrow");
             let [tail, head] = [weight.tail, weight.head].map(|end| view.place(end));
             assert!(
-                (head.0 - tail.0).abs() < 1e-11 && head.1 > tail.1 + 10.0,
+                (head.x - tail.x).abs() < 1e-11 && head.y > tail.y + 10.0,
                 "{slope}: {tail:?} {head:?}"
             );
             if rest.is_some() {
                 let ends = |arrow: Option<crate::scene::DrawnArrow>| {
-                    arrow.map_or((0.0, 0.0), |arrow| {
+                    arrow.map_or(Place::new(0.0, 0.0), |arrow| {
                         let [tail, head] = [arrow.tail, arrow.head].map(|end| view.place(end));
-                        (head.0 - tail.0, head.1 - tail.1)
+                        head.shifted(-tail.x, -tail.y)
                     })
                 };
                 let (normal, friction) = (ends(scene.normal), ends(scene.friction));
-                let sum = (normal.0 + friction.0, normal.1 + friction.1);
+                let sum = normal.shifted(friction.x, friction.y);
                 assert!(
-                    sum.0.abs() < 1e-9 && (sum.1 + (head.1 - tail.1)).abs() < 1e-9,
+                    sum.x.abs() < 1e-9 && (sum.y + (head.y - tail.y)).abs() < 1e-9,
                     "{slope}: {sum:?}"
                 );
             }

@@ -21,7 +21,22 @@ pub(crate) struct Canvas {
 }
 
 /// A place in the picture, in pixels from its upper left corner.
-pub(crate) type Place = (f64, f64);
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Place {
+    pub(crate) x: f64,
+    pub(crate) y: f64,
+}
+
+impl Place {
+    pub(crate) const fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+
+    /// So many pixels further to the right and down.
+    pub(crate) fn shifted(self, right: f64, down: f64) -> Self {
+        Self::new(self.x + right, self.y + down)
+    }
+}
 
 impl Canvas {
     /// A white picture.
@@ -58,8 +73,8 @@ impl Canvas {
     }
 
     /// Draws an image with its left upper corner at a place, its columns up to one.
-    pub(crate) fn image(&mut self, image: &Image, corner: [f64; 2], columns: usize) {
-        let [left, top] = corner.map(|side| side as usize);
+    pub(crate) fn image(&mut self, image: &Image, corner: Place, columns: usize) {
+        let [left, top] = [corner.x, corner.y].map(|side| side as usize);
         let stride = self.pixels.width() as usize;
         let columns = columns.min(image.size[0]).min(stride.saturating_sub(left));
         let rows = self.pixels.pixels_mut().chunks_exact_mut(stride).skip(top);
@@ -103,17 +118,20 @@ impl Canvas {
             .stroke_path(&path, &paint(colour), &stroke, Transform::identity(), None);
     }
 
-    pub(crate) fn rectangle(&mut self, (x, y): Place, width: f64, height: f64, colour: Rgb) {
-        let rectangle = Rect::from_xywh(x as f32, y as f32, width as f32, height as f32);
+    pub(crate) fn rectangle(&mut self, corner: Place, width: f64, height: f64, colour: Rgb) {
+        let [x, y] = [corner.x, corner.y].map(|side| side as f32);
+        let rectangle = Rect::from_xywh(x, y, width as f32, height as f32);
         self.fill(rectangle.map(PathBuilder::from_rect), colour);
     }
 
     /// A rectangle with half circles at its sides.
-    pub(crate) fn pill(&mut self, (x, y): Place, width: f64, height: f64, colour: Rgb) {
+    pub(crate) fn pill(&mut self, corner: Place, width: f64, height: f64, colour: Rgb) {
         let radius = 0.5 * height;
-        self.rectangle((x + radius, y), width - height, height, colour);
-        self.disc((x + radius, y + radius), radius, colour);
-        self.disc((x + width - radius, y + radius), radius, colour);
+        self.rectangle(corner.shifted(radius, 0.0), width - height, height, colour);
+        let [left, right] = [corner.x + radius, corner.x + width - radius];
+        for x in [left, right] {
+            self.disc(Place::new(x, corner.y + radius), radius, colour);
+        }
     }
 
     pub(crate) fn disc(&mut self, centre: Place, radius: f64, colour: Rgb) {
@@ -160,16 +178,16 @@ fn paint(colour: Rgb) -> Paint<'static> {
     paint
 }
 
-fn circle((x, y): Place, radius: f64) -> Option<Path> {
-    PathBuilder::from_circle(x as f32, y as f32, radius as f32)
+fn circle(centre: Place, radius: f64) -> Option<Path> {
+    PathBuilder::from_circle(centre.x as f32, centre.y as f32, radius as f32)
 }
 
 fn polyline(points: &[Place], closed: bool) -> Option<Path> {
     let (first, rest) = points.split_first()?;
     let mut path = PathBuilder::new();
-    path.move_to(first.0 as f32, first.1 as f32);
+    path.move_to(first.x as f32, first.y as f32);
     for point in rest {
-        path.line_to(point.0 as f32, point.1 as f32);
+        path.line_to(point.x as f32, point.y as f32);
     }
     if closed {
         path.close();

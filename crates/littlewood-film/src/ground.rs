@@ -86,10 +86,10 @@ impl Plane<'_> {
     fn draw_surface(&self, canvas: &mut Canvas) {
         let thickness = (1.4 * self.unit).max(1.0);
         if self.is_level() {
-            let (_, y) = self.at(0.0);
+            let corner = Place::new(0.0, self.at(0.0).y);
             let width = self.window.width;
-            canvas.rectangle((0.0, y), width, GROUND * self.unit, colour::GROUND);
-            canvas.rectangle((0.0, y), width, thickness, INK);
+            canvas.rectangle(corner, width, GROUND * self.unit, colour::GROUND);
+            canvas.rectangle(corner, width, thickness, INK);
         } else {
             canvas.polygon(&self.view.under(self.window), colour::GROUND);
             let ends = self.shown.map(|x| self.at(x));
@@ -139,7 +139,7 @@ impl Plane<'_> {
         let bottom = self.window.top + self.window.height - 2.0 * self.unit;
         x > self.shown[0] + margins[0]
             && x < self.shown[1] - margins[1]
-            && (self.is_level() || words_at.1 < bottom)
+            && (self.is_level() || words_at.y < bottom)
     }
 
     /// The name of the axis, with its unit.
@@ -155,7 +155,7 @@ impl Plane<'_> {
                 anchor: 1.0,
                 ..self.style()
             };
-            let place = (self.window.width - 4.0 * unit, self.at(0.0).1 + deep);
+            let place = Place::new(self.window.width - 4.0 * unit, self.at(0.0).y + deep);
             canvas.words(&name, place, end, SOFT);
         } else {
             let (end, back) = if self.is_named_first() {
@@ -163,9 +163,9 @@ impl Plane<'_> {
             } else {
                 (self.shown[1], -24.0)
             };
-            let (x, y) = view.moved(self.at(end), back * unit, deep);
+            let mut place = view.moved(self.at(end), back * unit, deep);
             let beside = 18.0 * unit;
-            let place = (x.clamp(beside, self.window.width - beside), y);
+            place.x = place.x.clamp(beside, self.window.width - beside);
             canvas.words(&name, place, self.style(), SOFT);
         }
     }
@@ -228,7 +228,7 @@ pub(crate) fn draw_contact(canvas: &mut Canvas, view: &View, scene: &Scene, gap:
         y: 0.0,
         ..scene.lowest
     });
-    let height = libm::hypot(below.0 - lowest.0, below.1 - lowest.1);
+    let height = libm::hypot(below.x - lowest.x, below.y - lowest.y);
     if height > 3.0 * unit {
         canvas.dashes(&[lowest, below], 1.2 * unit, 2.5 * unit, INK);
     }
@@ -245,9 +245,9 @@ pub(crate) fn draw_contact(canvas: &mut Canvas, view: &View, scene: &Scene, gap:
         anchor: 0.0,
     };
     if height > 12.0 * unit {
-        let place = (
-            0.5 * (lowest.0 + below.0) + 7.0 * unit,
-            0.5 * (lowest.1 + below.1) + 4.0 * unit,
+        let place = Place::new(
+            0.5 * (lowest.x + below.x) + 7.0 * unit,
+            0.5 * (lowest.y + below.y) + 4.0 * unit,
         );
         canvas.label(gap, place, style, INK);
     }

@@ -48,7 +48,7 @@ impl Inset {
         }
         let (wide, tall) = (window.width - 12.0 * unit, window.height - 14.0 * unit);
         let scale = (wide / (to - from)).min(tall / (high - low));
-        let origin = (
+        let origin = Place::new(
             window.left + 0.5 * window.width - 0.5 * (from + to) * scale,
             window.top + window.height - 6.0 * unit + scale * low,
         );
@@ -73,9 +73,9 @@ impl Inset {
             height,
         } = self.window;
         let line = 0.8 * u;
-        canvas.rectangle((left, top), width, height, LINE);
+        canvas.rectangle(Place::new(left, top), width, height, LINE);
         canvas.rectangle(
-            (left + line, top + line),
+            Place::new(left + line, top + line),
             width - 2.0 * line,
             height - 2.0 * line,
             PAPER,
@@ -83,7 +83,7 @@ impl Inset {
         let thickness = (0.8 * u).max(1.0);
         if self.view.tilt.sin == 0.0 {
             canvas.rectangle(
-                (left + 3.0 * u, self.view.origin.1),
+                Place::new(left + 3.0 * u, self.view.origin.y),
                 width - 6.0 * u,
                 thickness,
                 SOFT,
@@ -157,7 +157,7 @@ impl Inset {
         };
         canvas.label(
             "whole path",
-            (self.window.left + 5.0 * u, self.window.top + 10.5 * u),
+            Place::new(self.window.left + 5.0 * u, self.window.top + 10.5 * u),
             style,
             SOFT,
         );

@@ -3,6 +3,8 @@
 use littlewood_draw::{outlines, skia, width};
 use tiny_skia::Path;
 
+use crate::canvas::Place;
+
 /// How words are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Style {
@@ -40,13 +42,13 @@ impl Style {
     }
 
     /// The outline of words, with marks, on a base line; none if nothing is to be seen.
-    pub(crate) fn outline(self, words: &str, (x, y): (f64, f64)) -> Option<Path> {
-        let left = x - self.anchor * self.width(words);
-        let place = |[right, down]: [f64; 2]| [left + right, y + down];
+    pub(crate) fn outline(self, words: &str, place: Place) -> Option<Path> {
+        let left = place.x - self.anchor * self.width(words);
+        let at = |[right, down]: [f64; 2]| [left + right, place.y + down];
         let segments = outlines(words, self.letters()).flat_map(|(segments, _)| segments);
         skia(
             &segments
-                .map(|segment| segment.placed(place))
+                .map(|segment| segment.placed(at))
                 .collect::<Vec<_>>(),
         )
     }
@@ -73,7 +75,10 @@ mod tests {
                 is_bold: false,
                 anchor,
             };
-            let bounds = style.outline("rolling", (100.0, 50.0)).unwrap().bounds();
+            let bounds = style
+                .outline("rolling", Place::new(100.0, 50.0))
+                .unwrap()
+                .bounds();
             let left = 100.0 - anchor * style.width("rolling");
             let [from, to] = [bounds.left(), bounds.right()].map(f64::from);
             assert!((left..left + 2.0).contains(&from), "{bounds:?}");

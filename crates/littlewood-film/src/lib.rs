@@ -65,6 +65,6 @@ pub use ffmpeg::{FfmpegFilm, Video};
 pub use film::Film;
 pub use gif::GifFilm;
 pub use pane::With;
-pub use scene::{ArrowScale, DrawnArrow, DrawnImpulse, Scene};
+pub use scene::{ArrowScale, Direction, DrawnArrow, DrawnImpulse, Scene};
 pub use schedule::{Pace, Part, Schedule, Shown};
 pub use size::{FrameSize, SizeError};

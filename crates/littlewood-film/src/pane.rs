@@ -16,7 +16,7 @@ use littlewood_style::width::FINE;
 use littlewood_style::{Curve, EnergyPart};
 
 use crate::camera;
-use crate::canvas::Canvas;
+use crate::canvas::{Canvas, Place};
 use crate::colour::{FRICTION_FORCE, INK, PAPER, SOFT, of_energy, of_mode};
 use crate::letters::Style;
 use crate::schedule::Schedule;
@@ -60,7 +60,7 @@ pub(crate) struct Pane {
     with: With,
     panel: Panel,
     /// Where the figure stands, and pixels to one of it.
-    corner: [f64; 2],
+    corner: Place,
     scale: f64,
     still: Image,
     /// With the whole motion, where that runs from left to right.
@@ -81,7 +81,10 @@ impl Pane {
         units: Option<Units>,
     ) -> Result<Self, DrawError> {
         let shown = Shown::new(with, trajectory, schedule, units);
-        let size = [place.width, place.height].map(libm::round);
+        let size = PaneSize {
+            width: libm::round(place.width),
+            height: libm::round(place.height),
+        };
         let scale = SCALE * unit;
         let (panel, still) = shown.draw(size, scale, false)?;
         let done = match with {
@@ -91,7 +94,7 @@ impl Pane {
         Ok(Self {
             with,
             panel,
-            corner: [place.left, place.top].map(libm::round),
+            corner: Place::new(libm::round(place.left), libm::round(place.top)),
             scale,
             still,
             done,
@@ -106,9 +109,8 @@ impl Pane {
     }
 
     /// Where a place of the figure is drawn.
-    fn place(&self, at: [f64; 2]) -> (f64, f64) {
-        let [x, y] = [0, 1].map(|k| self.corner[k] + self.scale * at[k]);
-        (x, y)
+    fn place(&self, right: f64, down: f64) -> Place {
+        self.corner.shifted(self.scale * right, self.scale * down)
     }
 
     /// What the motion has done up to a time.
@@ -120,21 +122,21 @@ impl Pane {
         if let Some(done) = &self.done {
             let now = placed([time, 0.0])[0].clamp(left, right);
             canvas.image(done, self.corner, libm::round(self.scale * now) as usize);
-            let (x, y) = self.place([now - 0.7, top]);
-            canvas.rectangle((x, y), 1.4 * self.scale, self.scale * (bottom - top), INK);
+            let corner = self.place(now - 0.7, top);
+            canvas.rectangle(corner, 1.4 * self.scale, self.scale * (bottom - top), INK);
         } else {
             for piece in &self.pieces {
                 let until = piece.points.iter().take_while(|(at, _)| *at <= time);
                 let points: Vec<[f64; 2]> = until.map(|(_, point)| in_units(*point)).collect();
                 for run in self.panel.line(&points) {
-                    let run: Vec<(f64, f64)> = run.into_iter().map(|at| self.place(at)).collect();
+                    let run: Vec<Place> = run.into_iter().map(|[x, y]| self.place(x, y)).collect();
                     canvas.line(&run, MOTION * self.scale, of_mode(piece.mode));
                 }
             }
         }
         if let Some(now) = place_of(self.with, sample).filter(|now| now[1].is_finite()) {
             let [x, y] = placed(now);
-            let centre = self.place([x, y.clamp(top, bottom)]);
+            let centre = self.place(x, y.clamp(top, bottom));
             canvas.disc(centre, 5.4 * self.scale, PAPER);
             canvas.disc(centre, 4.0 * self.scale, INK);
         } else if self.with == With::Friction {
@@ -150,7 +152,7 @@ impl Pane {
             };
             canvas.label(
                 words,
-                self.place([0.5 * (left + right), top + 16.0]),
+                self.place(0.5 * (left + right), top + 16.0),
                 style,
                 SOFT,
             );
@@ -161,6 +163,13 @@ impl Pane {
 /// Room above and below the frame of the figure, in its pixels.
 const ABOVE: f64 = 10.0;
 const BELOW: f64 = 2.0;
+
+/// Width and height of a pane, in whole pixels of the film.
+#[derive(Clone, Copy)]
+struct PaneSize {
+    width: f64,
+    height: f64,
+}
 
 /// What is drawn of a motion.
 struct Shown<'a> {
@@ -198,8 +207,8 @@ impl<'a> Shown<'a> {
     }
 
     /// The figure in pixels and its panel, with the motion in colour where it is done.
-    fn draw(&self, size: [f64; 2], scale: f64, is_done: bool) -> Result<(Panel, Image), DrawError> {
-        let [width, height] = size.map(|side| side / scale);
+    fn draw(&self, size: PaneSize, scale: f64, is_done: bool) -> Result<(Panel, Image), DrawError> {
+        let [width, height] = [size.width, size.height].map(|side| side / scale);
         let sheet = Sheet::new(None, width)?;
         let (keys, room) = sheet.keys(self.entries(), 0.0);
         let [left, inner] = sheet.span();
@@ -210,7 +219,8 @@ impl<'a> Shown<'a> {
         let figure = sheet
             .figure("pane", "", String::new(), height, vec![panel.clone()])
             .fitted();
-        let image = figure.pixels(size.map(|side| side as u32), scale)?;
+        let pixels = [size.width, size.height].map(|side| side as u32);
+        let image = figure.pixels(pixels, scale)?;
         Ok((panel, image))
     }
 

@@ -6,7 +6,7 @@ use littlewood::{Hoop, Mode, Outcome, SlipDirection, Start, Trajectory, Transiti
 use littlewood_draw::marked;
 
 use crate::body::{Shape, WEIGHT, draw_mass_centre};
-use crate::canvas::Canvas;
+use crate::canvas::{Canvas, Place};
 use crate::colour::{
     FRICTION_FORCE, IMPULSE, INK, NORMAL_FORCE, PAPER, SLIP, SOFT, of_mode, on_mode,
 };
@@ -81,17 +81,18 @@ impl SignEntry {
 
     fn draw(&self, canvas: &mut Canvas, x: f64, base: f64, u: f64) {
         let middle = base - 3.6 * u;
-        let words_at = (self.words_at(x, u), base);
+        let words_at = Place::new(self.words_at(x, u), base);
         canvas.words(&self.words, words_at, style_of_signs(u), SOFT);
         match self.sign {
-            Sign::Particle => canvas.disc((x + 4.5 * u, middle), 4.0 * u, INK),
-            Sign::MassCentre => draw_mass_centre(canvas, (x + 4.5 * u, middle), 4.2 * u),
+            Sign::Particle => canvas.disc(Place::new(x + 4.5 * u, middle), 4.0 * u, INK),
+            Sign::MassCentre => draw_mass_centre(canvas, Place::new(x + 4.5 * u, middle), 4.2 * u),
             Sign::Centre => {
-                canvas.disc((x + 3.0 * u, middle), 3.0 * u, SOFT);
-                canvas.disc((x + 3.0 * u, middle), 1.6 * u, PAPER);
+                canvas.disc(Place::new(x + 3.0 * u, middle), 3.0 * u, SOFT);
+                canvas.disc(Place::new(x + 3.0 * u, middle), 1.6 * u, PAPER);
             }
             Sign::Arrow(shape, colour) => {
-                shape.draw(canvas, (x, middle), (x + 19.0 * u, middle), colour, 0.8 * u);
+                let tail = Place::new(x, middle);
+                shape.draw(canvas, tail, tail.shifted(19.0 * u, 0.0), colour, 0.8 * u);
             }
         }
     }
@@ -174,7 +175,7 @@ impl Panel {
             let [begin, to] =
                 [phase.start().time, phase.end_time()].map(|time| self.place_of(time, schedule));
             let from = if last.is_none() { left } else { begin };
-            canvas.rectangle((from, top), to - from, tall, of_mode(mode));
+            canvas.rectangle(Place::new(from, top), to - from, tall, of_mode(mode));
             let (words, style) = (
                 mode.with_arrow(phase.direction()),
                 self.style(10.5, true, 0.5),
@@ -182,7 +183,7 @@ impl Panel {
             if style.width(&words) + 6.0 * u < to - from {
                 canvas.words(
                     &words,
-                    (0.5 * (from + to), top + 11.2 * u),
+                    Place::new(0.5 * (from + to), top + 11.2 * u),
                     style,
                     on_mode(mode),
                 );
@@ -191,7 +192,7 @@ impl Panel {
             let is_dense = last == Some(mode) && to - from < 4.0 * u;
             last = Some(mode);
             if from > left + 0.5 && !is_dense {
-                canvas.rectangle((from - 0.5 * u, top), u, tall, PAPER);
+                canvas.rectangle(Place::new(from - 0.5 * u, top), u, tall, PAPER);
             }
             // Beyond thousands of phases there is nothing to tell apart.
             if to >= left + (self.width - 2.0 * left) {
@@ -201,12 +202,12 @@ impl Panel {
         self.draw_impacts(canvas, trajectory, schedule);
         let style = self.style(10.0, false, 0.0);
         if let Some(part) = schedule.part.label() {
-            canvas.words(part, (MARGIN * u, 66.0 * u), style, SOFT);
+            canvas.words(part, Place::new(MARGIN * u, 66.0 * u), style, SOFT);
         }
         let base = self.height - 9.0 * u;
         canvas.words(
             &parameters(trajectory.hoop()),
-            (MARGIN * u, base),
+            Place::new(MARGIN * u, base),
             style,
             SOFT,
         );
@@ -214,7 +215,7 @@ impl Panel {
             anchor: 1.0,
             ..style
         };
-        canvas.words(note, (self.width - MARGIN * u, base), end, SOFT);
+        canvas.words(note, Place::new(self.width - MARGIN * u, base), end, SOFT);
         self.draw_signs(canvas, trajectory.hoop());
     }
 
@@ -231,7 +232,12 @@ impl Panel {
             .take_while(|time| *time <= schedule.end)
         {
             let place = self.place_of(time, schedule);
-            canvas.rectangle((place - 0.8 * u, top - 4.0 * u), 1.6 * u, 4.0 * u, IMPULSE);
+            canvas.rectangle(
+                Place::new(place - 0.8 * u, top - 4.0 * u),
+                1.6 * u,
+                4.0 * u,
+                IMPULSE,
+            );
         }
     }
 
@@ -286,12 +292,12 @@ impl Panel {
         let u = self.unit;
         let left = MARGIN * u;
         if let Some(note) = outcome.as_ref().and_then(note_of).or_else(impact) {
-            let place = (end_of_mode + 10.0 * u, 25.0 * u);
+            let place = Place::new(end_of_mode + 10.0 * u, 25.0 * u);
             canvas.words(&note, place, self.style(13.0, true, 0.0), INK);
         }
         canvas.words(
             &self.clock(scene.time()),
-            (self.width - left, 26.5 * u),
+            Place::new(self.width - left, 26.5 * u),
             self.style(18.0, false, 1.0),
             INK,
         );
@@ -299,8 +305,18 @@ impl Panel {
         // The time, on the line of phases.
         let x = self.place_of(scene.time(), schedule);
         let top = self.height - 52.0 * u;
-        canvas.rectangle((x - 2.2 * u, top - 2.5 * u), 4.4 * u, 20.0 * u, PAPER);
-        canvas.rectangle((x - 1.2 * u, top - 2.5 * u), 2.4 * u, 20.0 * u, INK);
+        canvas.rectangle(
+            Place::new(x - 2.2 * u, top - 2.5 * u),
+            4.4 * u,
+            20.0 * u,
+            PAPER,
+        );
+        canvas.rectangle(
+            Place::new(x - 1.2 * u, top - 2.5 * u),
+            2.4 * u,
+            20.0 * u,
+            INK,
+        );
     }
 
     /// The mode on a ground of its colour; returns where that ends.
@@ -315,8 +331,13 @@ impl Panel {
             .map(|mode| style.width(&mode.with_arrow(Some(SlipDirection::Positive))))
             .fold(0.0, f64::max);
         let wide = widest + 22.0 * u;
-        canvas.pill((left, 9.0 * u), wide, 22.0 * u, of_mode(scene.mode()));
-        let middle = (left + 0.5 * wide, 25.2 * u);
+        canvas.pill(
+            Place::new(left, 9.0 * u),
+            wide,
+            22.0 * u,
+            of_mode(scene.mode()),
+        );
+        let middle = Place::new(left + 0.5 * wide, 25.2 * u);
         canvas.words(&words, middle, style, on_mode(scene.mode()));
         left + wide
     }
@@ -331,8 +352,13 @@ impl Panel {
             .zip(self.values(scene))
         {
             let x = MARGIN * u + at * u;
-            canvas.words(&name, (x, 49.0 * u), bold, colour);
-            canvas.words(&value, (x + bold.width(&name), 49.0 * u), plain, INK);
+            canvas.words(&name, Place::new(x, 49.0 * u), bold, colour);
+            canvas.words(
+                &value,
+                Place::new(x + bold.width(&name), 49.0 * u),
+                plain,
+                INK,
+            );
         }
     }
 
@@ -465,7 +491,7 @@ fn decimals(size: f64, usual: i32) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::ArrowScale;
+    use crate::scene::{ArrowScale, Direction};
 
     #[test]
     fn the_slip_velocity_in_flight_is_that_of_the_lowest_point() {
@@ -477,7 +503,7 @@ mod tests {
         let scale = ArrowScale {
             force: 1.0,
             weight: 1.0,
-            down: (0.0, -1.0),
+            down: Direction { x: 0.0, y: -1.0 },
             velocity: 1.0,
             impulse: 1.0,
         };

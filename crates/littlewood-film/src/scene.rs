@@ -18,6 +18,20 @@ const VELOCITY: [f64; 2] = [0.1, 1.0];
 /// Length of the largest impulse of a motion, in radii.
 const IMPULSE: f64 = 1.3;
 
+/// A vector of length 1; 0 along an arrow that has no length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Direction {
+    /// Part along the plane; in a picture, to the right.
+    pub x: f64,
+    /// Part away from the plane; in a picture, down.
+    pub y: f64,
+}
+
+impl Direction {
+    const ALONG_PLANE: Self = Self { x: 1.0, y: 0.0 };
+    const OFF_PLANE: Self = Self { x: 0.0, y: 1.0 };
+}
+
 /// Lengths of arrows: one scale for both forces, so that their sum is the reaction of the plane,
 /// and one for the slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +41,7 @@ pub struct ArrowScale {
     /// The weight (m1 + m2) g, over m2 g.
     pub weight: f64,
     /// Direction of the weight, which on a slope is not normal to the plane.
-    pub down: (f64, f64),
+    pub down: Direction,
     /// Radii for the velocity √(gR).
     pub velocity: f64,
     /// Radii for the impulse m2 √(gR).
@@ -52,7 +66,10 @@ impl ArrowScale {
         Self {
             force: weight.clamp(WEIGHT[0], WEIGHT[1]) / hoop.mass(),
             weight: hoop.mass(),
-            down: (-libm::sin(hoop.slope()), -libm::cos(hoop.slope())),
+            down: Direction {
+                x: -libm::sin(hoop.slope()),
+                y: -libm::cos(hoop.slope()),
+            },
             velocity: (LONGEST / velocity).clamp(VELOCITY[0], VELOCITY[1]),
             impulse: impulse_scale(impacts),
         }
@@ -116,16 +133,16 @@ pub struct DrawnArrow {
 }
 
 impl DrawnArrow {
-    /// An arrow along the unit vector (x, y), none for a value of zero.
-    fn along((x, y): (f64, f64), tail: Position, value: f64, scale: f64) -> Option<Self> {
+    /// An arrow along a unit vector, none for a value of zero.
+    fn along(direction: Direction, tail: Position, value: f64, scale: f64) -> Option<Self> {
         if value == 0.0 || value.is_nan() {
             return None;
         }
         let wanted = value * scale;
         let length = wanted.clamp(-LONGEST, LONGEST);
         let head = Position {
-            x: tail.x + length * x,
-            y: tail.y + length * y,
+            x: tail.x + length * direction.x,
+            y: tail.y + length * direction.y,
         };
         Some(Self {
             tail,
@@ -172,10 +189,10 @@ impl Scene {
             sample,
             lowest,
             contact,
-            normal: arrow((0.0, 1.0), sample.normal, scale.force),
-            friction: arrow((1.0, 0.0), sample.friction, scale.force),
+            normal: arrow(Direction::OFF_PLANE, sample.normal, scale.force),
+            friction: arrow(Direction::ALONG_PLANE, sample.friction, scale.force),
             weight: DrawnArrow::along(scale.down, sample.mass_centre, scale.weight, scale.force),
-            slip: arrow((1.0, 0.0), sample.state.slip, scale.velocity),
+            slip: arrow(Direction::ALONG_PLANE, sample.state.slip, scale.velocity),
             impulse: None,
         }
     }
