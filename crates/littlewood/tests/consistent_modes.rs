@@ -1153,6 +1153,120 @@ fn a_start_in_free_fall_on_a_slope_goes_to_the_side_that_comes_next() {
     assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
 }
 
+/// A swing without kinetic friction that comes back to its angle with the opposite rate, and the
+/// tangent of the slope on which η′ vanishes there again: the pull over the time of the swing is
+/// twice the momentum of the start. In units in which gravity normal to the plane is 1 the swing is
+/// that of a level plane.
+fn slip_that_comes_back(draw: &mut Draw) -> Option<(HoopParameters, [f64; 2], [f64; 2])> {
+    let parameters = HoopParameters::thin(draw.between([0.0, 2.0]))
+        .with_offset(draw.between([0.1, 1.0]))
+        .with_inertia(draw.between([0.01, 1.0]));
+    let level = Hoop::new(parameters).expect("a hoop");
+    let (theta, rate) = (draw.between([-3.1, 3.1]), draw.between([-3.0, 3.0]));
+    let (h, start) = (level.h(), Start::at(theta, rate));
+    let smooth = Contact::Slides(SlipDirection::Positive, 0.0);
+    let step = 0.02;
+    let (mut now, mut time) = (start, 0.0);
+    while time < 12.0 {
+        let [angle, rate, _] = smooth.after(&level, &now, (step, 1));
+        let next = Start::at(angle, rate);
+        if h * libm::cos(angle) * rate * rate > 0.95 || (angle - theta).abs() > TAU {
+            return None;
+        }
+        if rate * start.theta_rate < 0.0 && (angle - theta) * (now.theta - theta) <= 0.0 {
+            // Newton's method for the time of the return, in small steps from the start.
+            for _ in 0..3 {
+                let [angle, rate, _] = smooth.after(&level, &start, (time, 2_000));
+                time -= (angle - theta) / rate;
+            }
+            let tilt = -2.0 * start.theta_rate * (1.0 + h * libm::cos(theta)) / time;
+            return (tilt.abs() < 5.0).then_some((
+                parameters,
+                [theta, start.theta_rate],
+                [time, tilt],
+            ));
+        }
+        now = next;
+        time += step;
+    }
+    None
+}
+
+/// On a slope a slide without kinetic friction can come back to η′ = 0 at the angle and the squared
+/// rate at which it began on |F| = μs N, if it has reversed before. On slopes that differ by a part
+/// in 1e7 the side on which η′ vanishes decides.
+#[test]
+fn a_slip_that_comes_back_to_the_limit_on_a_slope_is_decided_by_its_side() {
+    let (mut sides, mut exact, mut wrong) = ([0; 2], [0; 2], Vec::new());
+    for case in 0..800 {
+        let Some((parameters, [theta, rate], [time, tilt])) =
+            slip_that_comes_back(&mut Draw::of_case(53, 0, case))
+        else {
+            continue;
+        };
+        for part in [-1e-7, 0.0, 1e-7] {
+            let slope = libm::atan(tilt * (1.0 + part));
+            let pace = libm::cos(slope).sqrt();
+            let start = Start::at(theta, rate * pace);
+            let parameters = parameters.with_slope(slope);
+            let of = balances(&Hoop::new(parameters).expect("a hoop"), &start);
+            let [_, n, f] = solve([of.spin, of.normal, of.friction], of.right);
+            let mu_s = f.abs() / n;
+            if !(n > 0.01 && mu_s > 1e-3 && mu_s < 5.0) {
+                continue;
+            }
+            let hoop = Hoop::new(parameters.with_friction(mu_s, 0.0)).expect("a hoop");
+            let back = time / pace;
+            let limits = Limits::until(1.01 * back);
+            let motion = hoop.simulate(start, limits).expect("a start");
+            let [first, second, ..] = motion.transitions() else {
+                continue;
+            };
+            if first.cause != Cause::Reversal || (second.time() - back).abs() > 1e-4 {
+                continue;
+            }
+            let smooth = Contact::Slides(SlipDirection::Positive, 0.0);
+            let [_, _, slip] = smooth.after(&hoop, &start, (back, 2_000));
+            let [_, slip_acceleration, _] = smooth.forced(&hoop, [theta, -start.theta_rate, slip]);
+            let rest = back - slip / slip_acceleration;
+            let at_rest = smooth.after(&hoop, &start, (rest, 2_000));
+            let excess = Contact::Rolls.forced(&hoop, at_rest)[2];
+            if part == 0.0 {
+                exact[usize::from(second.cause == Cause::Stick)] += 1;
+                continue;
+            }
+            sides[usize::from(excess < 0.0)] += 1;
+            let expected = if excess < 0.0 {
+                Cause::Stick
+            } else {
+                Cause::Reversal
+            };
+            let is_same = second.cause == expected
+                && engines(&hoop).iter().all(|engine| {
+                    let summary = engine.summary(start, limits).expect("a start");
+                    summary.sequence == motion.summary().sequence
+                });
+            if !is_same {
+                wrong.push(format!(
+                    "{case} {part}: {:?}, not {expected:?} with {excess}: {hoop:?} {start:?}",
+                    second.cause
+                ));
+            }
+        }
+    }
+    println!(
+        "{sides:?} slip on or stick, {exact:?} between; {} differ",
+        wrong.len()
+    );
+    assert!(
+        wrong.is_empty(),
+        "{} of {sides:?} differ: {:#?}",
+        wrong.len(),
+        &wrong[..wrong.len().min(5)]
+    );
+    assert!(sides.iter().all(|count| *count > 4), "{sides:?}");
+}
+
 /// A massless hoop on a limit of rolling: the coefficient of friction that it needs, or a rate at
 /// which N = 0.
 fn massless_start_on_limit(draw: &mut Draw) -> Option<(Hoop, Start)> {

@@ -18,7 +18,7 @@ use crate::walk::follow::{NextSlip, next_slip};
 use crate::walk::solver::{SkipBudget, SkippedLinks};
 use crate::walk::{
     Arrival, Cause, Exact, NextMotion, Outcome, OutcomeKind, PhaseEnd, PhaseResult, PhaseSequence,
-    Solution, Solver, next_motion,
+    Solution, Solver,
 };
 
 use super::chain::{LinkSolver, SlipMapValue, SlipMaps, SlipPoint};
@@ -577,14 +577,14 @@ impl Solver for FastSolver<'_> {
     }
 
     #[inline(always)]
-    fn select_mode(&self, place: &EngineState, arrival: Arrival) -> NextMotion {
+    fn next_motion(&self, place: &EngineState, arrival: Arrival) -> NextMotion {
         if arrival == Arrival::LiftOff {
             // What the slide has found is not computed again.
-            return next_motion(self.hoop, &place.state, arrival);
+            return NextMotion::at(self.hoop, &place.state, arrival);
         }
         match self.clear_inputs(place, arrival) {
             Some(inputs) => select_mode(self.hoop, &self.model.body, &place.state, &inputs),
-            None => next_motion(self.hoop, &place.state, arrival),
+            None => NextMotion::at(self.hoop, &place.state, arrival),
         }
     }
 

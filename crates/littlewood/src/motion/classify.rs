@@ -4,7 +4,7 @@ use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
 use crate::model::{Body, Hoop, Limits, Mode, ParameterError, SlipDirection, Start, State, named};
 use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
-use crate::walk::{Arrival, Candidates, NextMotion, Origin, RelativeStart, next_motion};
+use crate::walk::{Arrival, Candidates, NextMotion, Origin, RelativeStart};
 
 named! {
     /// The region of the state space that contains a start.
@@ -126,7 +126,7 @@ impl Hoop {
             return Ok(found);
         }
         (found.region, found.mode, found.direction) =
-            match next_motion(self, &state, Arrival::Start) {
+            match NextMotion::at(self, &state, Arrival::Start) {
                 NextMotion::Roll { on_limit } => {
                     found.add_rolling(self, &state, &origin, on_limit);
                     found.reverse_chatter =

@@ -367,8 +367,8 @@ impl Solver for PerturbedSolver<'_> {
         *point
     }
 
-    fn select_mode(&self, state: &State, arrival: Arrival) -> NextMotion {
-        self.exact.select_mode(state, arrival)
+    fn next_motion(&self, state: &State, arrival: Arrival) -> NextMotion {
+        self.exact.next_motion(state, arrival)
     }
 
     fn roll(&self, state: &State, on_limit: bool) -> PhaseResult<Self> {

@@ -132,6 +132,29 @@ pub(crate) enum NextMotion {
 }
 
 impl NextMotion {
+    /// The motion that begins at `state`, from the exact conditions.
+    pub(crate) fn at(hoop: &Hoop, state: &State, arrival: Arrival) -> Self {
+        match hoop.body() {
+            Body::Heavy(body) => match arrival {
+                Arrival::LiftOff => Self::Fly {
+                    body,
+                    take_off: TakeOff::Grazing,
+                },
+                Arrival::Start
+                | Arrival::InContact
+                | Arrival::GlideAtRest { .. }
+                | Arrival::RollingLimit(_)
+                | Arrival::BackOnLimit(_) => select_mode(
+                    hoop,
+                    &body,
+                    state,
+                    &exact_inputs(hoop, &body, state, arrival),
+                ),
+            },
+            Body::Massless(body) => massless(hoop, &body, state, arrival),
+        }
+    }
+
     pub(crate) const fn mode(&self) -> Option<Mode> {
         match self {
             Self::Roll { .. } => Some(Mode::Rolling),
@@ -168,29 +191,6 @@ pub(crate) enum Arrival {
     BackOnLimit(Option<SlipDirection>),
     /// The normal force of a slide vanishes, with w decreasing: only flight follows.
     LiftOff,
-}
-
-/// Decides which motion begins at `state`, from the exact conditions.
-pub(crate) fn next_motion(hoop: &Hoop, state: &State, arrival: Arrival) -> NextMotion {
-    match hoop.body() {
-        Body::Heavy(body) => match arrival {
-            Arrival::LiftOff => NextMotion::Fly {
-                body,
-                take_off: TakeOff::Grazing,
-            },
-            Arrival::Start
-            | Arrival::InContact
-            | Arrival::GlideAtRest { .. }
-            | Arrival::RollingLimit(_)
-            | Arrival::BackOnLimit(_) => select_mode(
-                hoop,
-                &body,
-                state,
-                &exact_inputs(hoop, &body, state, arrival),
-            ),
-        },
-        Body::Massless(body) => massless(hoop, &body, state, arrival),
-    }
 }
 
 /// w = 1 − h cos θ θ′², and what follows from it.

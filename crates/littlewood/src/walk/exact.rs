@@ -10,9 +10,7 @@ use crate::modes::{
     Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideBudget,
     SlideLimit, Sliding, SlidingEnd, TakeOff, Undecided,
 };
-use crate::walk::{
-    Arrival, Cause, NextMotion, Outcome, PhaseEnd, PhaseResult, Solution, Solver, next_motion,
-};
+use crate::walk::{Arrival, Cause, NextMotion, Outcome, PhaseEnd, PhaseResult, Solution, Solver};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Exact<'a> {
@@ -181,8 +179,8 @@ impl Solver for Exact<'_> {
         *point
     }
 
-    fn select_mode(&self, state: &State, arrival: Arrival) -> NextMotion {
-        next_motion(self.hoop, state, arrival)
+    fn next_motion(&self, state: &State, arrival: Arrival) -> NextMotion {
+        NextMotion::at(self.hoop, state, arrival)
     }
 
     fn roll(&self, state: &State, on_limit: bool) -> PhaseResult<Self> {

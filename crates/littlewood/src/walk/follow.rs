@@ -44,7 +44,7 @@ impl<P> Cursor<P> {
         let point = solver.point(state);
         let next = match solver.hoop().body() {
             Body::Heavy(body) if gap_rate > 0.0 => begin_flight(solver, &body, &state, gap_rate),
-            Body::Heavy(_) | Body::Massless(_) => solver.select_mode(&point, Arrival::Start),
+            Body::Heavy(_) | Body::Massless(_) => solver.next_motion(&point, Arrival::Start),
         };
         let last_slip = LastSlip::at_start(solver.hoop(), state, next.direction());
         Self {
@@ -59,7 +59,7 @@ impl<P> Cursor<P> {
     /// At a slip out of rolling.
     fn at_slip<T: Solver<Point = P>>(solver: &T, point: P, direction: SlipDirection) -> Self {
         let arrival = Arrival::RollingLimit(RollingLimit::Friction(direction));
-        let next = solver.select_mode(&point, arrival);
+        let next = solver.next_motion(&point, arrival);
         let slip_out_of_rolling = next.direction();
         Self {
             point,
@@ -570,7 +570,7 @@ fn after_event<T: Solver>(
     } = ended;
     cursor.point = point;
     let state = T::state(&cursor.point);
-    cursor.next = solver.select_mode(&cursor.point, arrival);
+    cursor.next = solver.next_motion(&cursor.point, arrival);
     let next = &cursor.next;
     // Only a slide begins with a known direction.
     (cursor.last_slip, cursor.slip_out_of_rolling) = match (arrival, next.direction()) {
@@ -664,7 +664,7 @@ fn after_settling<T: Solver>(
         ..settling.impact
     };
     cursor.point = solver.point(impact.state_after(&state));
-    cursor.next = solver.select_mode(&cursor.point, Arrival::InContact);
+    cursor.next = solver.next_motion(&cursor.point, Arrival::InContact);
     PhaseStep {
         event: Event::new(state, Mode::Flight, Cause::Settle),
         impact: Some(Box::new(impact)),
@@ -702,7 +702,7 @@ fn after_impact<T: Solver>(
     cursor.next = if gap_rate > 0.0 {
         begin_flight(solver, body, &state, gap_rate)
     } else {
-        solver.select_mode(&cursor.point, Arrival::InContact)
+        solver.next_motion(&cursor.point, Arrival::InContact)
     };
     let rebounds = || {
         solver

@@ -13,7 +13,7 @@ pub(crate) mod slip;
 pub(crate) mod solver;
 
 pub(crate) use self::automaton::{Cause, Event, Transition};
-pub(crate) use self::candidates::{Arrival, Candidates, NextMotion, next_motion};
+pub(crate) use self::candidates::{Arrival, Candidates, NextMotion};
 pub(crate) use self::exact::Exact;
 pub(crate) use self::follow::{WalkSettings, walk};
 pub(crate) use self::origin::{Origin, RelativeStart};

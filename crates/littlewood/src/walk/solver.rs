@@ -7,7 +7,7 @@ use crate::walk::{Arrival, Cause, Event, NextMotion, Outcome, PhaseSequence};
 
 /// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
 ///
-/// [`walk`](super::walk) calls [`Solver::select_mode`] at a point, and then the one method that
+/// [`walk`](super::walk) calls [`Solver::next_motion`] at a point, and then the one method that
 /// solves the selected phase from the same point. The loop alone names the cause of an event,
 /// applies impacts and keeps the limits of transitions and slides; so two solvers can differ only
 /// in the phases that they solve, and in the mode that they select.
@@ -37,7 +37,7 @@ pub(crate) trait Solver {
     fn state(point: &Self::Point) -> State;
     /// Selects the motion that begins at a point in contact. `arrival` decides where a guard
     /// vanishes, since the sign of its rounded value does not.
-    fn select_mode(&self, point: &Self::Point, arrival: Arrival) -> NextMotion;
+    fn next_motion(&self, point: &Self::Point, arrival: Arrival) -> NextMotion;
     /// `on_limit` if |F| = μs N at the start and static friction holds after it.
     fn roll(&self, point: &Self::Point, on_limit: bool) -> PhaseResult<Self>;
     /// `may_lift_off` unless energy excludes it, also where w = 0 by rounding.
