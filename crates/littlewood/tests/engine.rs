@@ -753,6 +753,40 @@ fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
     }
 }
 
+/// A motion on a smooth plane repeats itself. The engine skips its periods, and comes to the limits
+/// of time, transitions and slides where the simulation does.
+#[test]
+fn periods_on_a_smooth_plane_end_at_the_limits_of_the_simulation() {
+    for (mass_ratio, inertia) in [(1.0, 1.0), (0.3, 0.1), (3.0, 0.5)] {
+        let hoop = HoopParameters::thin(mass_ratio)
+            .with_inertia(inertia)
+            .with_friction(0.0, 0.0);
+        let hoop = Hoop::new(hoop).expect("a hoop");
+        let starts: Vec<Start> = random_starts(120)
+            .map(|start| start.with_slip(0.1 * start.slip))
+            .collect();
+        let limits = |start: &Start| {
+            // Some of each kind.
+            let limits = Limits::until(150.0 + 30.0 * start.theta);
+            limits
+                .with_transitions(30 + (15.0 * start.theta_rate.abs()) as usize)
+                .with_slides(250 + (200.0 * start.theta_rate.abs()) as usize)
+        };
+        let mut ends = [0; 3];
+        for start in &starts {
+            let motion = hoop.simulate(*start, limits(start)).expect("a valid start");
+            match motion.outcome() {
+                Outcome::TimeLimit { .. } => ends[0] += 1,
+                Outcome::TransitionLimit { .. } => ends[1] += 1,
+                Outcome::StepLimit { .. } => ends[2] += 1,
+                _ => {}
+            }
+        }
+        assert!(ends.iter().all(|count| *count > 2), "{ends:?}");
+        agree_to(limits, &hoop, &starts).expect("the same motions");
+    }
+}
+
 /// Regimes of all kinds, with their starts over the whole plane.
 #[test]
 fn every_regime_has_the_outcomes_of_the_simulation() {

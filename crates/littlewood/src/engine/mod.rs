@@ -362,6 +362,26 @@ mod tests {
         assert!(computed > 100, "{computed}");
     }
 
+    /// Up to a limit of time the phases of a few periods are solved, however many there are.
+    #[test]
+    fn periods_on_a_smooth_plane_are_skipped() {
+        let hoop = Hoop::equal_masses(0.0, 0.0).unwrap();
+        let engine = Engine::new(&hoop);
+        let model = engine.model.as_ref().unwrap();
+        let limits = Limits::until(2_000.0);
+        let (origin, start, limits) = Origin::of(&hoop, &Start::at(-2.0, -0.5), limits);
+        let solver = FastSolver::new(&hoop, model, &limits);
+        let mut recorder = SummaryRecorder::new(&hoop, origin);
+        let settings = WalkSettings {
+            limits: &limits,
+            shared: engine.shared_proof_data(None),
+        };
+        walk(&solver, start, settings, &mut recorder);
+        let summary = recorder.finish(crate::walk::OutcomeKind::TimeLimit, start.state);
+        assert!(summary.transitions > 300, "{}", summary.transitions);
+        assert!(solver.phases() < 60, "{}", solver.phases());
+    }
+
     /// Maps are made for long motions alone where few starts would pay for them: an ordinary motion
     /// has the bits of one that is followed slip by slip, and a long one its end.
     #[test]

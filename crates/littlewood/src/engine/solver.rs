@@ -168,6 +168,12 @@ impl<'a> FastSolver<'a> {
         phases >= self.phases_before_caching && is_on(Part::KeptCells)
     }
 
+    /// Phases in contact that it has solved.
+    #[cfg(test)]
+    pub(super) const fn phases(&self) -> u32 {
+        self.phases.get()
+    }
+
     /// Whether the simulation may have decided otherwise.
     pub(super) const fn is_lost(&self) -> bool {
         self.error.get().is_lost()
@@ -560,6 +566,8 @@ impl Solver for FastSolver<'_> {
     type Solution = Option<Flight>;
     type Outcome = FastOutcome;
 
+    const SKIPS_PERIODS: bool = true;
+
     fn hoop(&self) -> &Hoop {
         self.hoop
     }
@@ -784,6 +792,15 @@ impl Solver for FastSolver<'_> {
 
     fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         Self::from_exact(self.exact.glide(&place.state, body, entry))
+    }
+
+    fn skip_to(&self, end: State) -> Option<EngineState> {
+        let error = self.error.get();
+        if error.is_simulated() || error.is_lost() {
+            return None;
+        }
+        self.add_phase_error(&end);
+        Some(EngineState::new(end))
     }
 
     fn skip_links(

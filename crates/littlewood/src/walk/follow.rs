@@ -11,11 +11,18 @@ use crate::model::{
     length_of_slide, weight_of_slides,
 };
 use crate::modes::{Margin, RollingLimit, SlideLimit, TakeOff, Undecided};
+use crate::walk::proofs::Period;
 use crate::walk::solver::SkipBudget;
 use crate::walk::{
     Arrival, Cause, Event, LastSlip, NextMotion, Outcome, PhaseDetail, PhaseEnd, PhaseRecord,
     PhaseResult, Proofs, Recorder, RelativeStart, SharedProofData, Solution, Solver,
 };
+
+/// Most periods that are skipped at once: the rounding of the period is multiplied by their number.
+const MAX_SKIPPED_PERIODS: f64 = 64.0;
+
+/// By how much of a period the last skipped one ends before the limits.
+const PERIOD_MARGIN: f64 = 1e-3;
 
 /// Limits of a motion, relative to its start, and the data that its proofs share with others.
 #[derive(Clone, Copy, Debug)]
@@ -209,7 +216,10 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
 ) -> T::Outcome {
     let WalkSettings { limits, shared } = settings;
     let mut cursor = Cursor::at_start(solver, start);
-    let mut proofs = Proofs::new(solver.hoop(), limits, shared);
+    // Rounding decides each time anew whether a slip that touches zero at the start does so again.
+    let touches = |slip: &LastSlip| slip.order() > 1;
+    let skips_periods = T::SKIPS_PERIODS && !cursor.last_slip.as_ref().is_some_and(touches);
+    let mut proofs = Proofs::new(solver.hoop(), limits, shared, skips_periods);
     if let Some(outcome) = proofs.at_start(&start.state, cursor.next.mode()) {
         return outcome.into();
     }
@@ -242,7 +252,58 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
             log.flush(direction);
             return outcome.into();
         }
+        if let Some(period) = proofs.period(&event, direction) {
+            skip_periods(solver, &mut cursor, log.recorder, &period, &mut budget);
+        }
     }
+}
+
+/// Skips periods of a motion that repeats itself, as many as end before all limits.
+fn skip_periods<T: Solver, R: Recorder<T::Solution>>(
+    solver: &T,
+    cursor: &mut Cursor<T::Point>,
+    recorder: &mut R,
+    period: &Period,
+    budget: &mut Budget<'_>,
+) {
+    if recorder.detail() == PhaseDetail::Solutions {
+        return;
+    }
+    let state = T::state(&cursor.point);
+    let transitions_left = budget.limits.transitions.saturating_sub(budget.transitions);
+    let slide_cost = budget.slide_cost_factor * period.slide_length;
+    let slide_cost_left = budget.limits.slides as f64 - budget.slide_cost;
+    // Whatever ends the motion lies behind what is skipped, by more than rounding.
+    let times = [
+        (solver.until() - state.time) / period.time,
+        transitions_left as f64 / period.transitions as f64,
+        slide_cost_left / slide_cost,
+        MAX_SKIPPED_PERIODS,
+    ]
+    .into_iter()
+    .fold(f64::INFINITY, f64::min);
+    let times = (times - PERIOD_MARGIN).floor();
+    if times < 1.0 {
+        return;
+    }
+    let end = State {
+        time: state.time + times * period.time,
+        theta: state.theta + times * period.theta,
+        x: state.x + times * period.x,
+        ..state
+    };
+    let Some(point) = solver.skip_to(end) else {
+        return;
+    };
+    let mut phases = period.phases;
+    for _ in 1..times as usize {
+        phases.append(period.phases);
+    }
+    let transitions = times as usize * period.transitions;
+    recorder.links(u32::try_from(transitions).unwrap_or(u32::MAX), phases);
+    budget.transitions += transitions;
+    budget.slide_cost += times * slide_cost;
+    cursor.point = point;
 }
 
 /// Skips links of a chain of slips after a slip out of rolling, as long as the solver can and the

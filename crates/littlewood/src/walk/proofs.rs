@@ -11,9 +11,9 @@
 use core::f64::consts::TAU;
 
 use crate::mechanics::{ContactProof, RollingLaw};
-use crate::model::{Body, Hoop, Limits, Mode, Proof, SlipDirection, State};
+use crate::model::{Body, Hoop, Limits, Mode, Proof, SlipDirection, State, length_of_slide};
 use crate::modes::{Levels, Recurrence};
-use crate::walk::{Cause, Event, Outcome};
+use crate::walk::{Cause, Event, Outcome, PhaseSequence};
 
 /// Two reversals count as the same if their distance is at most this fraction of the distance to a
 /// reversal of the other direction.
@@ -22,6 +22,13 @@ const MAX_REVERSAL_DISTANCE_RATIO: f64 = 0.25;
 /// Largest difference of equal values, relative to one plus their size: rounding of some thousand
 /// steps is far below.
 const EQUALITY_TOLERANCE: f64 = 1e-9;
+
+/// The same where periods are skipped: they add up what the period is wrong by. Events that are
+/// less well told, next to each other, are not where a motion repeats itself.
+const PERIOD_TOLERANCE: f64 = 1e-13;
+
+/// Most events of a period that is looked for: ordinary ones have four.
+const MAX_EVENTS: usize = 16;
 
 /// Whether two values are equal within rounding.
 pub(crate) fn is_same(a: f64, b: f64) -> bool {
@@ -63,6 +70,8 @@ enum Kind<'a> {
     None,
     /// The motion repeats.
     Conservative(Vec<Visit>),
+    /// The same with a time limit, up to which periods are skipped.
+    Periodic(Vec<Visit>),
     /// The motion slips for ever.
     Grazing(Box<Slips<'a>>),
 }
@@ -73,9 +82,36 @@ struct Visit {
     state: State,
     cause: Cause,
     direction: Option<SlipDirection>,
-    /// Whether it ends a slide, and the range of its angle, where it is data.
-    slid: bool,
+    /// The mode that it ends, and the range of the angle of a slide, where it is data.
+    from: Option<Mode>,
     theta_range: Option<(f64, f64)>,
+}
+
+impl Visit {
+    fn new(event: &Event, direction: Option<SlipDirection>) -> Self {
+        Self {
+            state: event.state,
+            cause: event.cause,
+            direction,
+            from: event.from,
+            theta_range: None,
+        }
+    }
+
+    fn slid(&self) -> bool {
+        self.from == Some(Mode::Sliding)
+    }
+}
+
+/// What a motion that repeats itself gains in a period.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Period {
+    pub(crate) time: f64,
+    pub(crate) theta: f64,
+    pub(crate) x: f64,
+    pub(crate) transitions: usize,
+    pub(crate) slide_length: f64,
+    pub(crate) phases: PhaseSequence,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -98,9 +134,19 @@ struct Slips<'a> {
 }
 
 impl<'a> Proofs<'a> {
-    pub(crate) fn new(hoop: &'a Hoop, limits: &Limits, data: SharedProofData<'a>) -> Self {
+    /// With `skips_periods` those of a smooth plane are looked for up to a time limit.
+    pub(crate) fn new(
+        hoop: &'a Hoop,
+        limits: &Limits,
+        data: SharedProofData<'a>,
+        skips_periods: bool,
+    ) -> Self {
         let proof = limits.proof();
+        let is_smooth = hoop.mu_s() == 0.0 && hoop.slope() == 0.0;
         let kind = match hoop.body() {
+            Body::Heavy(_) if limits.until.is_some() && is_smooth && skips_periods => {
+                Kind::Periodic(Vec::new())
+            }
             Body::Heavy(_) | Body::Massless(_) if proof == Proof::None || hoop.slope() != 0.0 => {
                 Kind::None
             }
@@ -142,14 +188,11 @@ impl<'a> Proofs<'a> {
         theta_range: Option<(f64, f64)>,
     ) -> Option<Outcome> {
         let endless = match &mut self.kind {
-            Kind::None => None,
+            Kind::None | Kind::Periodic(_) => None,
             Kind::Conservative(visits) => {
                 let visit = Visit {
-                    state: event.state,
-                    cause: event.cause,
-                    direction,
-                    slid: event.from == Some(Mode::Sliding),
                     theta_range,
+                    ..Visit::new(event, direction)
                 };
                 repeats(visits, visit, self.hoop.mu_s() == 0.0)
             }
@@ -162,14 +205,26 @@ impl<'a> Proofs<'a> {
     pub(crate) const fn may_skip_links(&self) -> bool {
         match self.kind {
             Kind::None | Kind::Grazing(_) => true,
-            Kind::Conservative(_) => false,
+            Kind::Conservative(_) | Kind::Periodic(_) => false,
+        }
+    }
+
+    /// The period of a motion that is, after an event, where it was after an earlier one.
+    pub(crate) fn period(
+        &mut self,
+        event: &Event,
+        direction: Option<SlipDirection>,
+    ) -> Option<Period> {
+        match &mut self.kind {
+            Kind::None | Kind::Conservative(_) | Kind::Grazing(_) => None,
+            Kind::Periodic(visits) => period(visits, Visit::new(event, direction)),
         }
     }
 
     /// Adds the slip out of rolling after skipped links.
     pub(crate) fn skipped_to(&mut self, slip: &State) {
         match &mut self.kind {
-            Kind::None | Kind::Conservative(_) => {}
+            Kind::None | Kind::Conservative(_) | Kind::Periodic(_) => {}
             Kind::Grazing(slips) => {
                 slips.confirmed = None;
                 slips.begins(slip);
@@ -232,6 +287,49 @@ fn repeats(visits: &mut Vec<Visit>, visit: Visit, is_smooth: bool) -> Option<Out
     Some(cycle_outcome(visits[back].state, &visits[back + 1..]))
 }
 
+/// Adds an event of a conservative motion; returns the period if the motion is where it was before,
+/// and forgets its events.
+fn period(visits: &mut Vec<Visit>, visit: Visit) -> Option<Period> {
+    if !visit.cause.keeps_contact() {
+        // A flight may end in an impact, which changes the energy.
+        visits.clear();
+        return None;
+    }
+    let state = visit.state;
+    let is_same = |earlier: &Visit| {
+        let [now, then] = [&state, &earlier.state];
+        let turned = angle_between(now.theta, then.theta);
+        earlier.cause == visit.cause
+            && earlier.direction == visit.direction
+            && (now.theta_rate - then.theta_rate).abs()
+                <= PERIOD_TOLERANCE * (1.0 + now.theta_rate.abs())
+            && turned <= PERIOD_TOLERANCE * (1.0 + now.theta.abs())
+    };
+    let recent = visits.len().saturating_sub(MAX_EVENTS);
+    let back = visits[recent..].iter().rposition(is_same);
+    visits.push(visit);
+    let cycle = visits.split_off(recent + back?);
+    visits.clear();
+    let since = cycle[0].state;
+    let (mut phases, mut slide_length) = (PhaseSequence::default(), 0.0);
+    for pair in cycle.windows(2) {
+        let (before, after) = (&pair[0], &pair[1]);
+        phases.push(after.from?, before.direction);
+        if after.slid() {
+            slide_length += length_of_slide(&before.state, &after.state);
+        }
+    }
+    let time = state.time - since.time;
+    (time > EQUALITY_TOLERANCE).then(|| Period {
+        time,
+        theta: TAU * ((state.theta - since.theta) / TAU).round(),
+        x: state.x - since.x,
+        transitions: cycle.len() - 1,
+        slide_length,
+        phases,
+    })
+}
+
 /// The outcome of a motion that repeats the events of a cycle: one endless slide, if all of them
 /// are reversals of slides, and another cycle of phases otherwise.
 fn cycle_outcome(since: State, cycle: &[Visit]) -> Outcome {
@@ -240,7 +338,7 @@ fn cycle_outcome(since: State, cycle: &[Visit]) -> Outcome {
     let transitions = cycle.len();
     if !cycle
         .iter()
-        .all(|visit| visit.slid && visit.cause == Cause::Reversal)
+        .all(|visit| visit.slid() && visit.cause == Cause::Reversal)
     {
         return Outcome::RepeatsForever {
             since,

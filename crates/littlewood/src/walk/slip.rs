@@ -84,6 +84,10 @@ impl LastSlip {
         })
     }
 
+    pub(crate) const fn order(&self) -> usize {
+        self.order
+    }
+
     /// Corrects a state in which a slide after this slip comes to rest, by the conserved
     /// quantities. None if they are not conserved, or if the state is not told from others.
     pub(crate) fn correct_rest(&self, body: &Heavy, state: &State) -> Option<Rest> {

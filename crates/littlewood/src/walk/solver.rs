@@ -29,6 +29,9 @@ pub(crate) trait Solver {
     /// The outcome of a motion.
     type Outcome: From<Outcome>;
 
+    /// Whether periods of a motion that repeats itself are skipped up to a time limit.
+    const SKIPS_PERIODS: bool = false;
+
     fn hoop(&self) -> &Hoop;
     /// The time limit of the motion, or infinity.
     fn until(&self) -> f64;
@@ -54,6 +57,10 @@ pub(crate) trait Solver {
     /// Infinitely many bounces, up to the time at which they accumulate.
     fn settle(&self, point: &Self::Point, body: &Heavy, settling: &Settling) -> PhaseResult<Self>;
     fn glide(&self, point: &Self::Point, body: &Massless, entry: GlideEntry) -> PhaseResult<Self>;
+    /// The point at a state behind whole periods that are skipped. None if they must be solved.
+    fn skip_to(&self, _end: State) -> Option<Self::Point> {
+        None
+    }
     /// Skips links of a chain of slips: from a slip out of rolling to a later one, within `budget`,
     /// if none of them provably leads to a grazing orbit. None if the phases must be solved one by
     /// one, which is always right.
