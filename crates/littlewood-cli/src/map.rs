@@ -161,7 +161,9 @@ impl<'a> Outputs<'a> {
     }
 
     fn add(&mut self, chunk: &Chunk, columns: &Columns) {
-        self.picture.add(chunk, columns);
+        if self.have_picture() {
+            self.picture.add(chunk, columns);
+        }
         if let Some(plane) = &mut self.plane {
             plane.add(chunk, columns);
         }

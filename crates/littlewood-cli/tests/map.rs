@@ -740,7 +740,7 @@ fn friction_is_an_axis_of_its_own_and_axes_may_be_logarithmic() {
         .lines()
         .map(|line| line.split(',').next().unwrap_or_default())
         .collect();
-    assert_eq!(values, ["mu", "0.01", "0.01", "0.1", "0.1", "1", "1"]);
+    assert_eq!(values, ["mu", "0.01", "0.01", "0.1", "0.1", "1.0", "1.0"]);
     let one = json(&[
         "simulate",
         "figure-3",
