@@ -57,10 +57,11 @@ pub(crate) fn run(args: &MapArgs) -> Result<(), Error> {
     let mut add = |chunk: &Chunk, columns: &Columns| outputs.add(chunk, columns);
     let view = is_viewed.then_some(&mut add as &mut ChunkView<'_>);
     let mut report = sweep_grid(&grid, limits, &targets, view, &workers, &options)?;
+    // That of the starts, which the rate counts; those along the boundaries are not among them.
+    let time = began.elapsed();
     if report.complete && outputs.have_picture() {
         report.complete = outputs.picture.follow(&workers, &options)?;
     }
-    let time = began.elapsed();
     drop(bar);
 
     let written = if report.complete {
@@ -161,7 +162,9 @@ impl<'a> Outputs<'a> {
     }
 
     fn add(&mut self, chunk: &Chunk, columns: &Columns) {
-        self.picture.add(chunk, columns);
+        if self.have_picture() {
+            self.picture.add(chunk, columns);
+        }
         if let Some(plane) = &mut self.plane {
             plane.add(chunk, columns);
         }

@@ -1,11 +1,12 @@
 //! A plane as text: what has become of each of its starts, as CSV.
 
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::Path;
 
-use littlewood::Summary;
-use littlewood::tables::{Class, ColumnType, DerivativeColumn, SummaryColumn, SummaryValue};
-use littlewood_sweep::{Axis, Chunk, Columns, Grid};
+use littlewood::OutcomeKind;
+use littlewood::tables::{ColumnType, PhaseSequence, SummaryValue};
+use littlewood_sweep::{Axis, Chunk, Column, Columns, Grid};
 
 use crate::error::Error;
 
@@ -15,8 +16,7 @@ const MOST: u64 = 1 << 20;
 /// The results of a grid, in the order of its points, the last axis fastest.
 pub(crate) struct Plane<'a> {
     axes: &'a [Axis],
-    summaries: Vec<Summary>,
-    derivatives: Vec<(DerivativeColumn, Vec<f64>)>,
+    results: Columns,
 }
 
 impl<'a> Plane<'a> {
@@ -34,88 +34,105 @@ impl<'a> Plane<'a> {
             hint: "give fewer points, or a name that ends in .parquet or .zarr (feature `sweep`)"
                 .to_owned(),
         })?;
-        let derivatives = grid
-            .derivatives()
-            .iter()
-            .map(|column| (*column, vec![f64::NAN; len]))
-            .collect();
         Ok(Self {
             axes: grid.axes(),
-            summaries: vec![Summary::NOT_COMPUTED; len],
-            derivatives,
+            results: Columns::not_computed(len, grid.derivatives()),
         })
     }
 
-    pub(crate) fn add(&mut self, chunk: &Chunk, columns: &Columns) {
-        for (row, (indices, summary)) in chunk.indices().zip(columns.summaries()).enumerate() {
-            let place = indices
-                .iter()
-                .zip(self.axes)
-                .fold(0, |place, (i, axis)| place * axis.count() + i);
-            self.summaries[place] = summary;
-            for (column, values) in &mut self.derivatives {
-                values[place] = columns
-                    .derivative(*column)
-                    .map_or(f64::NAN, |values| values[row]);
-            }
-        }
+    pub(crate) fn add(&mut self, chunk: &Chunk, results: &Columns) {
+        let counts: Vec<usize> = self.axes.iter().map(Axis::count).collect();
+        let places = chunk.places_in(&counts);
+        self.results.spread(places.iter().copied(), results);
     }
 
     /// One row a start: its place on the axes, then the columns. What has no value is an empty
     /// cell.
     pub(crate) fn csv(&self, writer: &mut dyn Write) -> io::Result<()> {
+        let is_derivative = |column| matches!(column, Column::Derivative(_));
+        let (derivatives, columns): (Vec<_>, Vec<_>) = self
+            .results
+            .columns()
+            .partition(|(column, _)| is_derivative(*column));
         let axes = self.axes.iter().map(|axis| axis.varies().name().to_owned());
-        let columns = SummaryColumn::ALL.iter().map(SummaryColumn::to_string);
-        let derivatives = self
-            .derivatives
-            .iter()
-            .map(|(column, _)| column.to_string());
         // The classes that pictures show: by the first lift-off. With restitution `outcome`, the
         // end, comes later.
         let class = ["class".to_owned()];
+        let name = |(column, _): &(Column, _)| column.to_string();
         let names: Vec<String> = axes
-            .chain(columns)
+            .chain(columns.iter().map(name))
             .chain(class)
-            .chain(derivatives)
+            .chain(derivatives.iter().map(name))
             .collect();
         writeln!(writer, "{}", names.join(","))?;
-        for (place, summary) in self.summaries.iter().enumerate() {
+        let mut row = Row::default();
+        for (place, class) in self.results.classes().iter().enumerate() {
             for (k, axis) in self.axes.iter().enumerate() {
                 let stride: usize = self.axes[k + 1..].iter().map(Axis::count).product();
-                write!(writer, "{},", axis.value(place / stride % axis.count()))?;
+                row.real(axis.value(place / stride % axis.count()));
             }
-            for column in SummaryColumn::ALL {
-                write_cell(writer, column, summary)?;
-                writer.write_all(b",")?;
+            for (column, values) in &columns {
+                row.value(column.column_type(), values.get(place))?;
             }
-            write!(writer, "{}", Class::of(summary))?;
-            for (_, values) in &self.derivatives {
-                writer.write_all(b",")?;
-                write_real(writer, values[place])?;
+            row.word(class)?;
+            for (column, values) in &derivatives {
+                row.value(column.column_type(), values.get(place))?;
             }
-            writeln!(writer)?;
+            row.write(writer)?;
         }
         Ok(())
     }
 }
 
-/// A value of a summary, codes as words.
-fn write_cell(writer: &mut dyn Write, column: SummaryColumn, summary: &Summary) -> io::Result<()> {
-    match (column.column_type(), column.of(summary)) {
-        (ColumnType::Outcome, _) => write!(writer, "{}", summary.outcome),
-        (ColumnType::Sequence, _) => write!(writer, "{}", summary.sequence),
-        (ColumnType::Flag, SummaryValue::U8(flag)) => write!(writer, "{}", flag != 0),
-        (_, SummaryValue::U8(count)) => write!(writer, "{count}"),
-        (_, SummaryValue::U32(count)) => write!(writer, "{count}"),
-        (_, SummaryValue::U64(count)) => write!(writer, "{count}"),
-        (_, SummaryValue::F64(value)) => write_real(writer, value),
-    }
+/// A row of cells, each with a comma behind it. Numbers have the digits that give them back, which
+/// the formatter of the standard library takes five times as long to find.
+#[derive(Default)]
+struct Row {
+    text: Vec<u8>,
+    digits: zmij::Buffer,
 }
 
-/// A number, which is an empty cell where it has no value.
-fn write_real(writer: &mut dyn Write, value: f64) -> io::Result<()> {
-    if value.is_nan() {
-        return Ok(());
+impl Row {
+    /// A value of a column, codes as words.
+    fn value(&mut self, column: ColumnType, value: SummaryValue) -> io::Result<()> {
+        match (column, value) {
+            (ColumnType::Outcome, SummaryValue::U8(code)) => match OutcomeKind::try_from(code) {
+                Ok(outcome) => self.word(outcome),
+                Err(unknown) => self.word(unknown),
+            },
+            (ColumnType::Sequence, SummaryValue::U64(bits)) => {
+                self.word(PhaseSequence::from_bits(bits))
+            }
+            (ColumnType::Flag, SummaryValue::U8(flag)) => self.word(flag != 0),
+            (_, SummaryValue::U8(count)) => self.word(count),
+            (_, SummaryValue::U32(count)) => self.word(count),
+            (_, SummaryValue::U64(count)) => self.word(count),
+            (_, SummaryValue::F64(value)) => {
+                self.real(value);
+                Ok(())
+            }
+        }
     }
-    write!(writer, "{value}")
+
+    /// A number, which is an empty cell where it has no value.
+    fn real(&mut self, value: f64) {
+        if !value.is_nan() {
+            let digits = self.digits.format(value);
+            self.text.extend_from_slice(digits.as_bytes());
+        }
+        self.text.push(b',');
+    }
+
+    fn word(&mut self, word: impl Display) -> io::Result<()> {
+        write!(self.text, "{word},")
+    }
+
+    /// Writes the row, without the last comma, and empties it.
+    fn write(&mut self, writer: &mut dyn Write) -> io::Result<()> {
+        self.text.pop();
+        self.text.push(b'\n');
+        writer.write_all(&self.text)?;
+        self.text.clear();
+        Ok(())
+    }
 }

@@ -732,7 +732,10 @@ fn friction_is_an_axis_of_its_own_and_axes_may_be_logarithmic() {
     );
     let table = Csv::read(&fs::read_to_string(&out).expect("a text"));
     assert_eq!(table.columns[0], "mu");
-    assert_eq!(table.column("mu"), ["0.01", "0.01", "0.1", "0.1", "1", "1"]);
+    assert_eq!(
+        table.column("mu"),
+        ["0.01", "0.01", "0.1", "0.1", "1.0", "1.0"]
+    );
     let one = json(&[
         "simulate",
         "figure-3",

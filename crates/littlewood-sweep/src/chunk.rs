@@ -152,6 +152,22 @@ impl Chunk {
         })
     }
 
+    /// The places of its points among those of a grid of this shape, or of a larger chunk, in the
+    /// same order.
+    pub fn places_in(&self, whole: &[usize]) -> Vec<usize> {
+        (0..self.len())
+            .map(|number| {
+                let (mut rest, mut place, mut stride) = (number, 0, 1);
+                for ((first, size), whole) in self.origin.iter().zip(&self.shape).zip(whole).rev() {
+                    place += (first + rest % size) * stride;
+                    rest /= size;
+                    stride *= whole;
+                }
+                place
+            })
+            .collect()
+    }
+
     /// Its points, in the same order.
     pub fn points<'a>(&'a self, grid: &'a Grid) -> impl Iterator<Item = Setup> + 'a {
         let mut indices = self.origin.clone();

@@ -161,7 +161,7 @@ impl ColumnValues {
 
 impl Default for Columns {
     fn default() -> Self {
-        Self::blank(0, &[])
+        Self::not_computed(0, &[])
     }
 }
 
@@ -176,7 +176,8 @@ getters! {
 }
 
 impl Columns {
-    pub(crate) fn blank(len: usize, derivatives: &[DerivativeColumn]) -> Self {
+    /// Those of points that are not computed.
+    pub fn not_computed(len: usize, derivatives: &[DerivativeColumn]) -> Self {
         let columns =
             Column::all(derivatives).map(|column| ColumnValues::repeat(column.not_computed(), len));
         let classes = vec![Class::of(&Summary::NOT_COMPUTED); len];
@@ -249,13 +250,15 @@ impl Columns {
         Ok(columns)
     }
 
-    /// Sets the results of some points to other results.
-    pub(crate) fn spread(&mut self, places: &[u32], results: &Self) {
-        let places = || places.iter().map(|&place| place as usize);
+    /// Sets the results of the points at some places to other results, which have the same columns.
+    ///
+    /// # Panics
+    /// For places beyond [`Columns::len`], and other columns.
+    pub fn spread(&mut self, places: impl Iterator<Item = usize> + Clone, results: &Self) {
         for (full, values) in self.columns.iter_mut().zip(&results.columns) {
-            full.spread(places(), values);
+            full.spread(places.clone(), values);
         }
-        for (place, &class) in places().zip(&results.classes) {
+        for (place, &class) in places.zip(&results.classes) {
             self.classes[place] = class;
         }
     }
@@ -311,7 +314,7 @@ mod tests {
 
     #[test]
     fn values_that_are_no_columns_are_refused() {
-        let good = Columns::blank(2, &[]);
+        let good = Columns::not_computed(2, &[]);
         assert_eq!(
             Columns::from_values(good.columns.clone(), &[]).map(|columns| columns.len()),
             Ok(2)

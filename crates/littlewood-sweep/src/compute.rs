@@ -198,7 +198,7 @@ impl Workers {
         match self.follow_points(of_slice, starts_of_a_hoop, limits, &Watch::NONE) {
             Err(Halt::Refused(refused)) => Err(refused.error),
             // Nobody can cancel it.
-            Err(Halt::Cancelled) => Ok(Columns::blank(points.len(), &[])),
+            Err(Halt::Cancelled) => Ok(Columns::not_computed(points.len(), &[])),
             Ok(columns) => Ok(columns),
         }
     }
@@ -277,7 +277,7 @@ impl Workers {
             .into_iter()
             .fold(Ok(Vec::new()), first_halt)?;
 
-        let mut columns = Columns::blank(points.count, points.derivatives);
+        let mut columns = Columns::not_computed(points.count, points.derivatives);
         let mut engines = Vec::new();
         for (prepared, tasks) in results {
             engines.extend(prepared);
@@ -286,7 +286,7 @@ impl Workers {
                 columns: results,
             } in tasks
             {
-                columns.spread(&places, &results);
+                columns.spread(places.iter().map(|&place| place as usize), &results);
             }
         }
         // Of two hoops that are asked for in turn neither is prepared again.
@@ -340,7 +340,8 @@ impl Job<'_> {
                 let tasks = group
                     .par_chunks(self.points_of_a_task(group.len()))
                     .map(|places| {
-                        let mut columns = Columns::blank(places.len(), self.points.derivatives);
+                        let mut columns =
+                            Columns::not_computed(places.len(), self.points.derivatives);
                         let watch = &mut self.watch.clone();
                         self.compute(engine.as_deref(), places, &mut columns, 0, watch)?;
                         Ok(Task {
@@ -354,7 +355,7 @@ impl Job<'_> {
             }
             _ => {
                 let places = groups.concat();
-                let mut columns = Columns::blank(places.len(), self.points.derivatives);
+                let mut columns = Columns::not_computed(places.len(), self.points.derivatives);
                 let watch = &mut self.watch.clone();
                 let mut first = 0;
                 for group in groups {

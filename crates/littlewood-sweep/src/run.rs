@@ -57,8 +57,8 @@ pub(crate) fn run(
     options: &Options<'_>,
 ) -> Result<Report, SweepError> {
     let (mut run, missing) = Run::open(source, destinations, &mut view, workers, options)?;
-    let (starts_of_a_hoop, derivatives) =
-        (source.starts_of_a_hoop(), source.derivatives().to_vec());
+    let (total, starts_of_a_hoop) = (source.total(), source.starts_of_a_hoop());
+    let derivatives = source.derivatives().to_vec();
     let mut batches = missing.chunks(BATCH);
     let mut finished: Vec<FinishedChunk> = Vec::new();
     loop {
@@ -88,7 +88,7 @@ pub(crate) fn run(
                             let points = Points {
                                 count: input.points.len(),
                                 at: &|index| input.points[index],
-                                share_hoop: false,
+                                share_hoop: starts_of_a_hoop == Some(total),
                                 derivatives: &derivatives,
                             };
                             let watch = ledger.watch();

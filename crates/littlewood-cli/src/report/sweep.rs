@@ -18,6 +18,7 @@ use crate::store::interrupted;
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) report: Report,
+    /// What the starts took.
     pub(crate) time: Duration,
     pub(crate) threads: usize,
     /// What can be read now.

@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use arrow_schema::{Field, Schema};
-use littlewood::tables::{DerivativeColumn, Quantity, Setup};
+use littlewood::tables::{ColumnType, DerivativeColumn, Quantity, Setup};
 use parquet::arrow::{ARROW_SCHEMA_META_KEY, ArrowSchemaConverter, encode_arrow_schema};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::errors::Result as Encoded;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::ColumnPath;
 use serde_json::{Value, json};
 
 use super::column::{Writer, of_quantity, of_results};
@@ -94,18 +95,24 @@ impl Table {
 
     fn file(&self, chunk: usize, points: &[Setup], columns: &Columns) -> Encoded<Vec<u8>> {
         let entry = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
-        let properties = WriterProperties::builder()
+        let mut properties = WriterProperties::builder()
             .set_compression(Compression::ZSTD(ZstdLevel::try_new(3)?))
             .set_created_by(concat!("littlewood-sweep ", env!("CARGO_PKG_VERSION")).to_owned())
             .set_key_value_metadata(Some(vec![
                 entry(RUN_KEY, self.description.0.to_string()),
                 entry(CHUNK_KEY, chunk.to_string()),
                 entry(ARROW_SCHEMA_META_KEY, encode_arrow_schema(&self.schema)),
-            ]))
-            .build();
+            ]));
+        for column in Results::all(&self.derivatives) {
+            if column.column_type() == ColumnType::Real {
+                // The numbers of motions hardly repeat: a dictionary of them is made for nothing.
+                let path = ColumnPath::from(column.to_string());
+                properties = properties.set_column_dictionary_enabled(path, false);
+            }
+        }
         let schema = ArrowSchemaConverter::new().convert(&self.schema)?;
         let root = schema.root_schema_ptr();
-        let mut file = SerializedFileWriter::new(Vec::new(), root, Arc::new(properties))?;
+        let mut file = SerializedFileWriter::new(Vec::new(), root, Arc::new(properties.build()))?;
         let mut group = file.next_row_group()?;
         let mut writer = Writer(&mut group);
         for &quantity in &self.quantities {

@@ -170,7 +170,7 @@ impl Format for Layout {
     ) -> Result<Vec<StoreFile>, StoreError> {
         let full = self.chunks.shape();
         let size: usize = full.iter().product();
-        let places = places_in_full_chunk(&self.chunks.chunk(chunk), full);
+        let places = places_in_full_chunk(self.chunks.chunk(chunk), full);
         let files: Vec<Result<Vec<u8>, StoreError>> = self
             .variables
             .iter()
@@ -190,7 +190,7 @@ impl Format for Layout {
 
     fn read(&self, root: &Path, chunk: usize) -> Result<Option<Columns>, StoreError> {
         let full = self.chunks.shape();
-        let places = places_in_full_chunk(&self.chunks.chunk(chunk), full);
+        let places = places_in_full_chunk(self.chunks.chunk(chunk), full);
         let mut columns = Vec::with_capacity(self.variables.len());
         for ((column, array), path) in self.variables.iter().zip(self.paths(chunk)) {
             let path = root.join(path);
@@ -219,16 +219,10 @@ impl Format for Layout {
 
 /// Where the points of a chunk, which may be cut off at the far end of an axis, stand in a chunk of
 /// full size.
-fn places_in_full_chunk(chunk: &Chunk, full: &[usize]) -> Vec<usize> {
-    (0..chunk.len())
-        .map(|number| {
-            let (mut rest, mut place, mut stride) = (number, 0, 1);
-            for (size, full) in chunk.shape.iter().zip(full).rev() {
-                place += rest % size * stride;
-                rest /= size;
-                stride *= full;
-            }
-            place
-        })
-        .collect()
+fn places_in_full_chunk(chunk: Chunk, full: &[usize]) -> Vec<usize> {
+    let alone = Chunk {
+        origin: vec![0; full.len()],
+        ..chunk
+    };
+    alone.places_in(full)
 }
