@@ -585,11 +585,14 @@ fn is_only_fall(falls: &TabulatedMargin, holds: &TabulatedMargin) -> bool {
 impl TabulatedMargin {
     /// The barycentric coordinate of its one zero, from the end that is passed first.
     fn zero(&self, is_up: bool) -> f64 {
+        // A form has its first and its last coefficient at the ends of its arc.
+        let [begin, .., end] = self.form.0;
+        let (first, last) = if is_up { (begin, end) } else { (end, begin) };
         Bracket {
             low: 0.0,
             high: 1.0,
         }
-        .refine_from_secant(|t| {
+        .refine_from_values(first, last, |t| {
             if is_up {
                 self.form.value_and_slope([1.0 - t, t], [-1.0, 1.0])
             } else {

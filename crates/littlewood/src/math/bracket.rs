@@ -124,8 +124,18 @@ impl Bracket {
     /// longer than 2, and `function` a polynomial with coefficients of the order of its values. The
     /// last step is not verified.
     pub(crate) fn refine_from_secant(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+        let (first, last) = (function(self.low).0, function(self.high).0);
+        self.refine_from_values(first, last, function)
+    }
+
+    /// The same, where the values at both ends are known.
+    pub(crate) fn refine_from_values(
+        self,
+        first: f64,
+        last: f64,
+        mut function: impl FnMut(f64) -> (f64, f64),
+    ) -> f64 {
         let Self { low, high } = self;
-        let (first, last) = (function(low).0, function(high).0);
         let is_known = first > 0.0 && last < 0.0;
         let guess = if is_known {
             (low * last - high * first) / (last - first)
