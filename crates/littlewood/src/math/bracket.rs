@@ -142,9 +142,19 @@ impl Bracket {
         } else {
             0.5 * (low + high)
         };
-        self.iterate(guess, |x| RootStep {
-            last: LAST_NEWTON_STEP,
-            ..RootStep::newton(x, function(x))
+        self.iterate(guess, |x| {
+            let newton = RootStep::newton(x, function(x));
+            // A step that leads nowhere else would not be taken, and the bracket halved fifty times.
+            if newton.step.abs() <= newton.last {
+                return RootStep {
+                    value: 0.0,
+                    ..newton
+                };
+            }
+            RootStep {
+                last: LAST_NEWTON_STEP,
+                ..newton
+            }
         })
     }
 
@@ -241,6 +251,23 @@ mod tests {
                 evaluations <= 6 || root == 0.0 || root == 1.0,
                 "{root}: {evaluations}"
             );
+        }
+    }
+
+    /// Also where the value at the root is not zero but rounding, and the step from there is none.
+    #[test]
+    fn a_secant_leads_to_the_root_of_a_rounded_polynomial_in_few_steps() {
+        for k in 0..4_000 {
+            let (root, mut evaluations) = ((f64::from(k) + 0.5) / 4_000.0, 0);
+            // (root − x)(1 + x + 0.3 x²).
+            let [a, b, c, d] = [root, root - 1.0, 0.3 * root - 1.0, -0.3];
+            let found = Bracket::new(0.0, 1.0).refine_from_secant(|x| {
+                evaluations += 1;
+                let value = a + x * (b + x * (c + x * d));
+                (value, b + x * (2.0 * c + 3.0 * x * d))
+            });
+            assert!((found - root).abs() < 1e-15, "{root}: {found}");
+            assert!(evaluations <= 8, "{root}: {evaluations}");
         }
     }
 
