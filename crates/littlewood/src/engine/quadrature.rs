@@ -1,5 +1,17 @@
-//! Gauss–Legendre quadrature on [−1, 1], with eight, twelve and sixteen nodes in increasing order,
+//! Gauss–Legendre quadrature on [−1, 1], with four, eight, twelve and sixteen nodes in increasing order,
 //! of the longest rule the positive ones.
+
+pub(super) const SHORT_NODES: usize = 4;
+
+#[rustfmt::skip]
+pub(super) const SHORT_NODE: [f64; SHORT_NODES] = [
+    -0.861_136_311_594_052_6, -0.339_981_043_584_856_26, 0.339_981_043_584_856_26, 0.861_136_311_594_052_6,
+];
+
+#[rustfmt::skip]
+pub(super) const SHORT_WEIGHT: [f64; SHORT_NODES] = [
+    0.347_854_845_137_453_85, 0.652_145_154_862_546_2, 0.652_145_154_862_546_2, 0.347_854_845_137_453_85,
+];
 
 pub(super) const NODES: usize = 8;
 
@@ -63,6 +75,13 @@ mod tests {
 
     #[test]
     fn polynomials_are_integrated_exactly() {
+        is_exact_below(8, |f| {
+            SHORT_NODE
+                .iter()
+                .zip(SHORT_WEIGHT)
+                .map(|(x, w)| w * f(*x))
+                .sum()
+        });
         is_exact_below(16, |f| {
             NODE.iter().zip(WEIGHT).map(|(x, w)| w * f(*x)).sum()
         });

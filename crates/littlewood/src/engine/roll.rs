@@ -341,10 +341,7 @@ impl OrbitArc {
             let side = cross(*edge, from);
             side > 0.0 || (is_up && side == 0.0)
         };
-        let mut octant = OCTANT_ENDS[1..OCTANTS]
-            .iter()
-            .filter(|edge| is_behind(edge))
-            .count();
+        let mut octant = OCTANT_ENDS[1..OCTANTS].partition_point(is_behind);
         let mut next = Some(from);
         core::iter::from_fn(move || {
             let from = next?;
@@ -528,8 +525,9 @@ impl RollProblem<'_> {
                 None
             } else {
                 margin.bernstein().first_crossing().map(|bracket| {
-                    bracket
-                        .refine_from_secant(|t| margin.value_and_slope([1.0 - t, t], [-1.0, 1.0]))
+                    let [first, last] =
+                        [bracket.low, bracket.high].map(|t| margin.value([1.0 - t, t]));
+                    bracket.refine_from_values(first, last, |t| newton_pair(&margin.0, t))
                 })
             };
             first = match (first, at) {
@@ -585,17 +583,40 @@ fn is_only_fall(falls: &TabulatedMargin, holds: &TabulatedMargin) -> bool {
 impl TabulatedMargin {
     /// The barycentric coordinate of its one zero, from the end that is passed first.
     fn zero(&self, is_up: bool) -> f64 {
+        let mut in_order = self.form.0;
+        if !is_up {
+            in_order.reverse();
+        }
+        // A form has its first and its last coefficient at the ends of its arc.
+        let [first, .., last] = in_order;
         Bracket {
             low: 0.0,
             high: 1.0,
         }
-        .refine_from_secant(|t| {
-            if is_up {
-                self.form.value_and_slope([1.0 - t, t], [-1.0, 1.0])
-            } else {
-                self.form.value_and_slope([t, 1.0 - t], [1.0, -1.0])
-            }
-        })
+        .refine_from_values(first, last, |t| newton_pair(&in_order, t))
+    }
+}
+
+/// The form Σ c_k (1 − t)^(6−k) t^k over (1 − t)⁴, and its derivative by t over the same, for a step
+/// of Newton's method: with s = t/(1 − t) they are (1 − t)² p(s) and p′(s) − 6 (1 − t) p(s), p the
+/// polynomial with the coefficients of the form. In the second half of the arc from its other end.
+fn newton_pair(form: &[f64; 7], t: f64) -> (f64, f64) {
+    let (far, near) = (1.0 - t, t);
+    let horner = |coefficients: [f64; 7], s: f64| {
+        let (mut value, mut slope) = (coefficients[6], 0.0);
+        for c in coefficients[..6].iter().rev() {
+            (value, slope) = (value * s + c, slope * s + value);
+        }
+        (value, slope)
+    };
+    if near <= far {
+        let (value, slope) = horner(*form, near / far);
+        (far * far * value, slope - 6.0 * far * value)
+    } else {
+        let mut reversed = *form;
+        reversed.reverse();
+        let (value, slope) = horner(reversed, far / near);
+        (near * near * value, 6.0 * near * value - slope)
     }
 }
 

@@ -272,7 +272,7 @@ impl Family {
         let [Some(first), Some(middle), Some(last)] = probes else {
             return Fit::Halved;
         };
-        self.fitted(bounds, [first, middle, last], basis, source)
+        self.fitted(bounds, &[first, middle, last], basis, source)
             .map_or(Fit::Halved, |slides| Fit::Interpolated(Box::new(slides)))
     }
 
@@ -281,7 +281,7 @@ impl Family {
     fn fitted(
         &self,
         bounds: Bounds,
-        probes: [SlideEvent; 3],
+        probes: &[SlideEvent; 3],
         basis: &Basis,
         source: SlideSource<'_>,
     ) -> Option<FittedSlides> {
@@ -290,7 +290,7 @@ impl Family {
         if !probes.iter().all(is_alike) {
             return None;
         }
-        let fall = self.single_fall(bounds, &probes, source)?;
+        let fall = self.single_fall(bounds, probes, source)?;
         let numbers = |end: Sample| {
             let Sample { angle, event } = end;
             [event.theta - angle, event.elapsed, event.theta_rate]
@@ -316,7 +316,7 @@ impl Family {
                 (found - expected).abs() <= MAX_MISS * tolerance.of(expected)
             })
         };
-        let mut samples = bounds.probes().into_iter().zip(probes);
+        let mut samples = bounds.probes().into_iter().zip(*probes);
         samples
             .all(|(angle, event)| agrees(Sample { angle, event }))
             .then_some(FittedSlides {

@@ -124,17 +124,37 @@ impl Bracket {
     /// longer than 2, and `function` a polynomial with coefficients of the order of its values. The
     /// last step is not verified.
     pub(crate) fn refine_from_secant(self, mut function: impl FnMut(f64) -> (f64, f64)) -> f64 {
+        let (first, last) = (function(self.low).0, function(self.high).0);
+        self.refine_from_values(first, last, function)
+    }
+
+    /// The same, where the values at both ends are known.
+    pub(crate) fn refine_from_values(
+        self,
+        first: f64,
+        last: f64,
+        mut function: impl FnMut(f64) -> (f64, f64),
+    ) -> f64 {
         let Self { low, high } = self;
-        let (first, last) = (function(low).0, function(high).0);
         let is_known = first > 0.0 && last < 0.0;
         let guess = if is_known {
             (low * last - high * first) / (last - first)
         } else {
             0.5 * (low + high)
         };
-        self.iterate(guess, |x| RootStep {
-            last: LAST_NEWTON_STEP,
-            ..RootStep::newton(x, function(x))
+        self.iterate(guess, |x| {
+            let newton = RootStep::newton(x, function(x));
+            // A step that leads nowhere else would not be taken, and the bracket halved fifty times.
+            if newton.step.abs() <= newton.last {
+                return RootStep {
+                    value: 0.0,
+                    ..newton
+                };
+            }
+            RootStep {
+                last: LAST_NEWTON_STEP,
+                ..newton
+            }
         })
     }
 
@@ -231,6 +251,23 @@ mod tests {
                 evaluations <= 6 || root == 0.0 || root == 1.0,
                 "{root}: {evaluations}"
             );
+        }
+    }
+
+    /// Also where the value at the root is not zero but rounding, and the step from there is none.
+    #[test]
+    fn a_secant_leads_to_the_root_of_a_rounded_polynomial_in_few_steps() {
+        for k in 0..4_000 {
+            let (root, mut evaluations) = ((f64::from(k) + 0.5) / 4_000.0, 0);
+            // (root − x)(1 + x + 0.3 x²).
+            let [a, b, c, d] = [root, root - 1.0, 0.3 * root - 1.0, -0.3];
+            let found = Bracket::new(0.0, 1.0).refine_from_secant(|x| {
+                evaluations += 1;
+                let value = a + x * (b + x * (c + x * d));
+                (value, b + x * (2.0 * c + 3.0 * x * d))
+            });
+            assert!((found - root).abs() < 1e-15, "{root}: {found}");
+            assert!(evaluations <= 8, "{root}: {evaluations}");
         }
     }
 

@@ -187,6 +187,17 @@ impl SlideSegment for RegularSegment {
         }
     }
 
+    #[inline]
+    fn u_at<const N: usize>(&self, t: [f64; N]) -> [f64; N] {
+        let mut u = [self.u[self.degree]; N];
+        for c in self.u[..self.degree].iter().rev() {
+            for j in 0..N {
+                u[j] = u[j] * t[j] + c;
+            }
+        }
+        u
+    }
+
     fn theta_rate(&self, _: f64, u: f64) -> f64 {
         u.sqrt()
     }
@@ -228,12 +239,7 @@ impl SlideSegment for RegularSegment {
         }
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
         let t = NODE.map(|node| middle + half * node);
-        let mut u = [self.u[self.degree]; NODES];
-        for c in self.u[..self.degree].iter().rev() {
-            for j in 0..NODES {
-                u[j] = u[j] * t[j] + c;
-            }
-        }
+        let u = self.u_at(t);
         let mut sum = 0.0;
         for j in 0..NODES {
             let z = self.width * t[j];

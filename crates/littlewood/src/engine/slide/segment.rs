@@ -1,6 +1,7 @@
 //! A segment of a slide, on which u = θ′² is a polynomial: where contact, or the slip, ends on it.
 
 use crate::engine::fallback::Fallback;
+use crate::engine::quadrature::{SHORT_NODE, SHORT_NODES, SHORT_WEIGHT};
 use crate::math::bracket::{Bracket, RootStep, last_digit};
 use crate::math::trig::Angle;
 use crate::mechanics::{SlidingLaw, contact};
@@ -24,9 +25,18 @@ const MAX_LAST_STEP_TO_REST: f64 = 1e-7;
 /// The same for the point at which the normal force vanishes.
 const MAX_LAST_STEP_TO_LIFT_OFF: f64 = 1e-9;
 
-/// A step by which Simpson's rule for the time is exact to rounding, if dτ/dz changes by no more
-/// than this part of itself: the error is the fourth power of that over 2880.
-const MAX_SIMPSON_STEP: f64 = 1e-3;
+/// Newton's method for a guess ends with a shorter step, as a part of the way: a cubic differs by as
+/// much from η′.
+const MAX_LAST_STEP_OF_GUESS: f64 = 1e-2;
+
+/// A step, as a part of the way between two points, whose time the shortest Gauss sum tells to
+/// rounding. On the ellipses about segments ([`RegularSegment`], [`TurningSegment`]) u has no zero,
+/// so that 1/√u has no singularity within 0.3 of the way around it: four nodes leave out r⁻⁸ of the
+/// step, r > 60.
+///
+/// [`RegularSegment`]: super::regular::RegularSegment
+/// [`TurningSegment`]: super::turning::TurningSegment
+const MAX_SHORT_STEP: f64 = 0.02;
 
 /// Where dτ/dz changes in a step, the time of the step must be so short beside the inverse of that
 /// part: Newton's method takes it for fixed.
@@ -47,6 +57,8 @@ const ENDPOINT_OFFSET: f64 = 1e-6;
 /// A part of a slide on which u is known as a function of a coordinate z, which grows with time.
 pub(super) trait SlideSegment {
     fn u(&self, z: f64) -> f64;
+    /// The same at several coordinates, side by side.
+    fn u_at<const N: usize>(&self, z: [f64; N]) -> [f64; N];
     /// θ′ at z, from u there.
     fn theta_rate(&self, z: f64, u: f64) -> f64;
     fn angle(&self, z: f64) -> Angle;
@@ -138,20 +150,24 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
         self.point_at(z, self.segment.u(z), elapsed)
     }
 
-    /// The same a short step away; none if it is longer.
-    fn point_beside(&self, start: &SlidePoint, z: f64) -> Option<SlidePoint> {
-        let (middle, u) = (0.5 * (start.z + z), self.segment.u(z));
-        let (first, last) = (
-            self.segment.time_slope(start.z, start.u),
-            self.segment.time_slope(z, u),
-        );
-        if !((z - start.z).abs() <= MAX_SIMPSON_STEP
-            && (last - first).abs() <= MAX_SIMPSON_STEP * first.abs())
-        {
-            return None;
+    /// The same a short step from another point.
+    fn point_beside(&self, other: &SlidePoint, z: f64) -> SlidePoint {
+        let (middle, half) = (0.5 * (other.z + z), 0.5 * (z - other.z));
+        let [a, b, c, d] = SHORT_NODE.map(|node| middle + half * node);
+        let at = [a, b, c, d, z];
+        let u = self.segment.u_at(at);
+        let mut sum = 0.0;
+        for j in 0..SHORT_NODES {
+            sum += SHORT_WEIGHT[j] * self.segment.time_slope(at[j], u[j]);
         }
-        let sum = first + 4.0 * self.segment.time_slope(middle, self.segment.u(middle)) + last;
-        Some(self.point_at(z, u, start.elapsed + (z - start.z) / 6.0 * sum))
+        self.point_at(z, u[SHORT_NODES], other.elapsed + half * sum)
+    }
+
+    /// The same where z differs so little that the trapezoidal rule tells the time.
+    fn point_next_to(&self, other: &SlidePoint, z: f64) -> SlidePoint {
+        let u = self.segment.u(z);
+        let slopes = self.segment.time_slope(other.z, other.u) + self.segment.time_slope(z, u);
+        self.point_at(z, u, other.elapsed + 0.5 * (z - other.z) * slopes)
     }
 
     /// The point at z, where u and the time are known.
@@ -294,29 +310,26 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             end_slope: slope(end) * width,
         }
         .root();
-        // A Gauss sum gives the time from the start. From a point close by Simpson's rule gives it
-        // as well, at a quarter of the cost.
+        // A long Gauss sum gives the time from the start, a short one that from a point close by.
         let mut near = *start;
-        let mut evaluate = |z: f64| {
-            self.point_beside(&near, z).unwrap_or_else(|| {
-                near = self.point(start, z);
-                near
-            })
-        };
         let z = Bracket {
             low: start.z,
             high: end.z,
         }
         .iterate(start.z + part * width, |z| {
-            let point = evaluate(z);
-            let step = -point.slip / slope(&point);
+            near = if (z - near.z).abs() <= MAX_SHORT_STEP * width {
+                self.point_beside(&near, z)
+            } else {
+                self.point(start, z)
+            };
+            let step = -near.slip / slope(&near);
             RootStep {
-                value: point.slip,
+                value: near.slip,
                 step,
-                last: self.last_step(z, point.u, step, MAX_LAST_STEP_TO_REST),
+                last: self.last_step(z, near.u, step, MAX_LAST_STEP_TO_REST),
             }
         });
-        let point = evaluate(z);
+        let point = self.point_next_to(&near, z);
         let Heavy { mass, inertia, .. } = self.law.body;
         let amplified = (AMPLIFICATION_PART * (mass / inertia).sqrt()).max(1.0);
         if point.slip_acceleration.abs()
@@ -337,7 +350,8 @@ struct Cubic {
 }
 
 impl Cubic {
-    /// Its root in (0, 1], roughly, where the value at 1 is not positive.
+    /// Its root in (0, 1], to the digits that it shares with the function, where the value at 1 is not
+    /// positive.
     fn root(&self) -> f64 {
         let Self {
             start,
@@ -358,7 +372,7 @@ impl Cubic {
             if !(next > 0.0 && next <= 1.0) {
                 break;
             }
-            if (next - s).abs() < 1e-6 {
+            if (next - s).abs() < MAX_LAST_STEP_OF_GUESS {
                 return next;
             }
             s = next;
@@ -385,6 +399,9 @@ mod tests {
     impl SlideSegment for Counted {
         fn u(&self, z: f64) -> f64 {
             self.segment.u(z)
+        }
+        fn u_at<const N: usize>(&self, z: [f64; N]) -> [f64; N] {
+            self.segment.u_at(z)
         }
         fn theta_rate(&self, z: f64, u: f64) -> f64 {
             self.segment.theta_rate(z, u)

@@ -75,6 +75,10 @@ impl SlideSegment for TurningSegment {
         self.width * square * value(&self.v, square)
     }
 
+    fn u_at<const N: usize>(&self, y: [f64; N]) -> [f64; N] {
+        y.map(|y| self.u(y))
+    }
+
     fn theta_rate(&self, y: f64, u: f64) -> f64 {
         if y > 0.0 { -u.sqrt() } else { u.sqrt() }
     }
