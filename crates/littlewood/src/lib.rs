@@ -187,7 +187,7 @@ pub mod derivatives {
 
     pub use crate::motion::derivatives::{
         Derivative, Derivatives, EventDerivative, InstantDerivative, NoDerivative,
-        NotDifferentiable, OutcomeDerivative,
+        NotDifferentiable, OutcomeDerivative, differentiable,
     };
 }
 

@@ -346,7 +346,7 @@ impl<T: Number> Contact<T> {
     /// The contact of a body at an angle.
     pub(crate) fn of(
         body: &Heavy<T>,
-        Friction { mu_s, mu_k }: Friction<T>,
+        Friction { mu_s, mu_k, .. }: Friction<T>,
         Angle { sin, cos }: Angle<T>,
     ) -> Self {
         let (mass, h_sin, height) = (body.mass, body.h * sin, body.h * cos + 1.0);

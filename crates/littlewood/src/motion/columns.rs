@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use crate::model::{Dimension, Mode, Quantity, SlipDirection, State, getters, named};
 use crate::modes::Sample;
+use crate::motion::derivatives::differentiable;
 use crate::motion::summary::Summary;
 use crate::walk::{OutcomeKind, PhaseSequence};
 
@@ -184,7 +185,7 @@ named! {
 pub struct DerivativeColumn {
     /// The number, one of [`SummaryColumn::reals`].
     pub number: SummaryColumn,
-    /// The quantity, one of [`Quantity::HOOP`] or [`Quantity::START`].
+    /// The quantity, one that is [`differentiable`].
     pub quantity: Quantity,
 }
 
@@ -193,7 +194,7 @@ pub struct DerivativeColumn {
 #[error(
     "there is no derivative named '{name}': it is NUMBER_by_QUANTITY, with one of {}, and one of {}",
     SummaryColumn::reals().map(SummaryColumn::name).collect::<Vec<_>>().join(", "),
-    Quantity::HOOP.into_iter().chain(Quantity::START).map(Quantity::name).collect::<Vec<_>>().join(", ")
+    differentiable(true).map(Quantity::name).collect::<Vec<_>>().join(", ")
 )]
 pub struct UnknownDerivative {
     /// The name.
@@ -212,12 +213,9 @@ impl FromStr for DerivativeColumn {
     fn from_str(name: &str) -> Result<Self, Self::Err> {
         let parts = name.split_once("_by_").and_then(|(number, quantity)| {
             let number = SummaryColumn::reals().find(|column| column.name() == number)?;
-            let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
             Some((
                 number,
-                quantities
-                    .into_iter()
-                    .find(|known| known.name() == quantity)?,
+                differentiable(true).find(|known| known.name() == quantity)?,
             ))
         });
         let (number, quantity) = parts.ok_or_else(|| UnknownDerivative {

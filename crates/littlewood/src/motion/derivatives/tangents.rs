@@ -101,6 +101,10 @@ impl<'a> Tangents<'a> {
                 friction: Friction {
                     mu_s: seed(Quantity::MuS, parameters.mu_s),
                     mu_k: seed(Quantity::MuK, parameters.mu_k),
+                    rolling_resistance: seed(
+                        Quantity::RollingResistance,
+                        parameters.rolling_resistance,
+                    ),
                 },
             },
             restitution: motion.hoop.restitution().map(|it| Restitution {
