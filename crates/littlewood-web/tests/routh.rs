@@ -2,24 +2,18 @@
 
 use littlewood::cases::find_case;
 use littlewood::impact::{Compliance, ImpactCase};
-use littlewood::tables::Quantity;
+use littlewood::tables::Setup;
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, RestitutionLaw, Start, Trajectory, Transition,
 };
-use littlewood_web::{Motion, Problem, Routh};
+use littlewood_web::{Motion, Routh};
+
+use crate::support::problem_of;
 
 /// A motion and the diagrams of its transitions.
 fn diagrams(hoop: Hoop, start: Start, limits: Limits) -> (Trajectory, Vec<Option<Routh>>) {
     let motion = hoop.simulate(start, limits).unwrap();
-    let setup = littlewood::tables::Setup::new(hoop.parameters(), start);
-    let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-    let numbers: Vec<f64> = quantities
-        .filter(|it| *it != Quantity::Restitution)
-        .filter_map(|it| setup.get(it))
-        .collect();
-    let law = hoop.restitution().map(|it| it.law().name().to_owned());
-    let e = hoop.restitution().map(|it| it.coefficient());
-    let problem = Problem::dimensionless(&numbers, e, law, limits.until).unwrap();
+    let problem = problem_of(&Setup::new(hoop.parameters(), start), limits.until);
     let ours = Motion::new(&problem, None).unwrap();
     let found = (0..motion.transitions().len())
         .map(|index| ours.routh(index))

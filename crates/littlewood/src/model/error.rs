@@ -53,12 +53,6 @@ pub enum ParameterError {
         Number(*gap_rate)
     )]
     MasslessFlight { gap_rate: f64 },
-    /// A hoop with rolling resistance: its modes are not built yet.
-    #[error(
-        "rolling_resistance = {}: motions with rolling resistance are not built yet",
-        Number(*resistance)
-    )]
-    RollingResistance { resistance: f64 },
 }
 
 impl ParameterError {
@@ -69,7 +63,6 @@ impl ParameterError {
             Self::MasslessImpact { .. } | Self::MasslessFlight { .. } => {
                 "leave it out, or give the hoop a mass or a moment of inertia"
             }
-            Self::RollingResistance { .. } => "leave it out, or give 0",
             Self::NoMotion { .. } => {
                 "give the disc a moment of inertia, or move the particle off the centre"
             }
@@ -96,7 +89,6 @@ impl ParameterError {
             Self::NearlyMassless { .. } => Quantity::Inertia,
             Self::LawAlone { .. } | Self::MasslessImpact { .. } => Quantity::Restitution,
             Self::MasslessFlight { .. } => Quantity::GapRate,
-            Self::RollingResistance { .. } => Quantity::RollingResistance,
         }
     }
 

@@ -199,7 +199,7 @@ impl Hoop {
     /// # Errors
     /// The first value that violates a bound; ℓ̂ = 0 with Î = 0 ([`ParameterError::NoMotion`]); 0 <
     /// Î < 1e-60; a law of restitution without a coefficient; a massless hoop with a coefficient of
-    /// restitution; χ > 0, whose motions are not built yet.
+    /// restitution.
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
         let composition = Composition {
             mass_ratio: Quantity::MassRatio.check(parameters.mass_ratio)?,
@@ -208,13 +208,10 @@ impl Hoop {
         };
         let mu_s = Quantity::MuS.check(parameters.mu_s)?;
         let mu_k = Quantity::MuK.check(parameters.mu_k)?;
-        let resistance = Quantity::RollingResistance.check(parameters.rolling_resistance)?;
+        Quantity::RollingResistance.check(parameters.rolling_resistance)?;
         let slope = Quantity::Slope.check(parameters.slope)?;
         within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
 
-        if resistance > 0.0 {
-            return Err(ParameterError::RollingResistance { resistance });
-        }
         let heavy = Heavy::of(composition, slope);
         let Composition {
             mass_ratio, offset, ..
