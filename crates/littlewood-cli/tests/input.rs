@@ -28,6 +28,15 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
             "0 is an impact without rebound",
         ),
         (
+            &["--rolling-resistance-m", "-1"],
+            "rolling_resistance_m = -1 m must not be negative",
+        ),
+        (
+            &["--rolling-resistance-m", "0.01"],
+            "rolling_resistance_m = 0.01 m must not exceed 0\n\n\
+             hint: motions with rolling resistance are not built yet",
+        ),
+        (
             &["--restitution", "nan"],
             "restitution = NaN must be a finite number",
             "not numbers to start from",

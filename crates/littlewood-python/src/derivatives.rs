@@ -70,7 +70,7 @@ fn quantities(
         let bounces = motion.hoop().restitution().is_some();
         return Ok(differentiable(bounces).collect());
     };
-    let known = || differentiable(true);
+    let known = || Quantity::HOOP.into_iter().chain(Quantity::START);
     let find = |name: &String| known().find(|quantity| quantity.name() == name);
     names
         .iter()
