@@ -76,7 +76,7 @@ class Case:
         given = [Fraction(value) for value in self.hoop]
         resistance = Fraction(self.rolling_resistance)
         if self.units != "si":
-            return Exact(*given, resistance)
+            return Exact(*[*given, resistance])
         disc, particle, radius, offset, inertia, mu_s, mu_k, _ = given
         return Exact(
             disc / particle,
