@@ -80,11 +80,8 @@ pub fn differentiable(bounces: bool) -> impl Iterator<Item = Quantity> {
     Quantity::HOOP
         .into_iter()
         .chain(Quantity::START)
-        .filter(move |quantity| match quantity {
-            Quantity::Restitution => bounces,
-            Quantity::RollingResistance => false,
-            _ => true,
-        })
+        .filter(move |quantity| bounces || *quantity != Quantity::Restitution)
+        .filter(|quantity| *quantity != Quantity::RollingResistance)
 }
 
 /// The derivatives of one transition with respect to one quantity.
