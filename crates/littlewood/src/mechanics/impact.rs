@@ -45,6 +45,12 @@ pub enum ImpactError {
     /// A massless hoop: an impulse on its rim would cause an infinite velocity.
     #[error("a massless hoop has no impact: an impulse would accelerate its rim without bound")]
     Massless,
+    /// Within rounding, static friction holds at its limit where slip ends, |B| = μs A > μk A, or
+    /// P = 0 without a closing gap. Next to it impacts differ.
+    #[error(
+        "rounding decides on the impact at theta = {theta}: between stick and slip, or between a jam and none"
+    )]
+    Undecided { theta: f64 },
 }
 
 named! {
@@ -154,8 +160,8 @@ getters! {
     Impact, [self]:
     /// Energy lost, in m2 g R. Newton's law can make it negative.
     pub energy_lost: f64 = -(self.normal_work + self.friction_work);
-    /// Whether the impact increases the energy, which only Newton's law allows.
-    pub gains_energy: bool = self.energy_lost() < 0.0;
+    /// Whether the impact increases the energy by more than rounding, which only Newton's law allows.
+    pub gains_energy: bool = self.energy_lost() < -self.work_rounding();
 }
 
 impl<T: Number> Impact<T> {
@@ -182,6 +188,12 @@ impl<T: Number> Impact<T> {
 }
 
 impl Impact {
+    /// Of the normal work, whose terms, P times a gap rate, have at most 16 roundings.
+    const fn work_rounding(&self) -> f64 {
+        let rates = self.before.gap_rate.abs() + self.after.gap_rate.abs();
+        8.0 * f64::EPSILON * self.impulse.normal * rates
+    }
+
     /// The state after the impact, from the state before it.
     pub(crate) fn state_after(&self, before: &State) -> State {
         State {
@@ -270,7 +282,7 @@ impl Hoop {
     /// ```
     ///
     /// # Errors
-    /// `gap_rate` > 0 or not finite; a massless hoop.
+    /// `gap_rate` > 0 or not finite; a massless hoop; a tie within rounding.
     pub fn impact(
         &self,
         state: &State,
@@ -284,7 +296,12 @@ impl Hoop {
             return Err(ImpactError::Opening { gap_rate });
         }
         let before = ContactVelocities::of(state, gap_rate);
-        Ok(Contact::new(self, &body, state.theta).impact(before, restitution))
+        let contact = Contact::new(self, &body, state.theta);
+        let impact = contact.impact(before, restitution);
+        if contact.is_undecided(&impact) {
+            return Err(ImpactError::Undecided { theta: state.theta });
+        }
+        Ok(impact)
     }
 
     /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or
@@ -310,6 +327,17 @@ pub(crate) struct Sticking {
     pub(crate) braking: f64,
 }
 
+/// What follows where slip ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum AfterSlip {
+    /// Static friction holds, |B| ≤ μs A.
+    Sticks,
+    /// The contact slips again.
+    Reverses,
+    /// |B| = μs A within rounding, and kinetic friction is weaker.
+    Undecided,
+}
+
 /// The coefficients of an impact at one angle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Contact<T = f64> {
@@ -319,9 +347,50 @@ pub(crate) struct Contact<T = f64> {
     height: T,
     /// In slip with σ = −1 and σ = +1.
     slipping: [Slope<T>; 2],
-    /// After slip has ended, and whether the contact slips again.
+    /// Rounding of the slopes of the gap rate in slip.
+    slope_rounding: f64,
+    /// After slip has ended.
     at_rest: Slope<T>,
-    reverses: bool,
+    after_slip: AfterSlip,
+}
+
+/// Sizes of the terms of the compliances.
+struct TermSizes {
+    mass: f64,
+    inertia: f64,
+    /// h |sin θ|.
+    arm: f64,
+    /// |1 + h cos θ|, and the sum of the sizes of its terms.
+    height: f64,
+    reach: f64,
+}
+
+impl TermSizes {
+    /// Of m Î (|B| − μs A). A term has at most 18 roundings: of μs m (1 + h cos θ)² 6 in each
+    /// factor, 1 of m, 3 products and 2 sums.
+    fn rounding_of_excess(&self, mu_s: f64) -> f64 {
+        let Self {
+            mass,
+            inertia,
+            arm,
+            height,
+            reach,
+        } = *self;
+        let height = height + 3.0 * f64::EPSILON * reach;
+        9.0 * f64::EPSILON * (mass * reach * (arm + 2.0 * mu_s * height) + mu_s * inertia)
+    }
+
+    /// Of k1 = P/(m Î). A term has at most 20 roundings: 16 of P, and 4 of the quotient.
+    fn rounding_of_slope(&self, mu_k: f64) -> f64 {
+        let Self {
+            mass,
+            inertia,
+            arm,
+            reach,
+            ..
+        } = *self;
+        10.0 * f64::EPSILON * (1.0 / mass + arm * (arm + mu_k * reach) / inertia)
+    }
 }
 
 impl Contact {
@@ -334,7 +403,7 @@ impl Contact {
     pub(crate) fn sticking(&self, direction: SlipDirection) -> Option<Sticking> {
         let slipping = self.slope(direction);
         let braking = -direction.sign() * slipping.slip;
-        (braking > 0.0 && !self.reverses).then_some(Sticking {
+        (braking > 0.0 && self.after_slip == AfterSlip::Sticks).then_some(Sticking {
             in_slip: slipping.gap_rate,
             in_stick: self.at_rest.gap_rate,
             braking,
@@ -360,22 +429,62 @@ impl<T: Number> Contact<T> {
             let friction = -mu_k * direction.sign();
             slope(friction, (h_sin + friction * height) / body.inertia)
         });
-        // m Î A and m Î B: sticking requires |B|/A ≤ μs.
+        // m Î A and m Î B.
         let (a, b) = (body.inertia + mass * height * height, mass * h_sin * height);
         let stuck = Slope {
             slip: T::constant(0.0),
             ..slope(-b / a, h_sin / a)
         };
+        let sizes = TermSizes {
+            mass: mass.value(),
+            inertia: body.inertia.value(),
+            arm: h_sin.value().abs(),
+            height: height.value().abs(),
+            reach: 1.0 + (body.h * cos).value().abs(),
+        };
+        // Sticking requires |B| ≤ μs A. Where P ≤ 0 in slip towards sign B, μk |B| ≥ C, it holds:
+        // μs A ≥ A C/|B| > |B|.
+        let (mu_s, mu_k) = (mu_s.value(), mu_k.value());
+        let excess = b.value().abs() - mu_s * a.value();
+        let rounding = sizes.rounding_of_excess(mu_s);
         let reversed = SlipDirection::of_sign(b.value())
-            .filter(|_| b.value().abs() > mu_s.value() * a.value());
-        let at_rest = reversed.map_or(stuck, |direction| slipping[direction.index()]);
+            .map(|direction| slipping[direction.index()])
+            .filter(|reversed| reversed.gap_rate.value() > 0.0);
+        let (at_rest, after_slip) = match reversed {
+            // With μk = μs both are the same impact.
+            Some(_) if excess.abs() <= rounding && (mu_s - mu_k) * a.value() > rounding => {
+                (stuck, AfterSlip::Undecided)
+            }
+            Some(reversed) if excess > 0.0 => (reversed, AfterSlip::Reverses),
+            Some(_) | None => (stuck, AfterSlip::Sticks),
+        };
         Self {
             mass,
             h_sin,
             height,
             slipping,
+            slope_rounding: sizes.rounding_of_slope(mu_k),
             at_rest,
-            reverses: reversed.is_some(),
+            after_slip,
+        }
+    }
+
+    /// Whether rounding decides on an impact, and the impacts to both sides of the tie differ.
+    pub(crate) fn is_undecided(&self, impact: &Impact<T>) -> bool {
+        match impact.case {
+            ImpactCase::Slides => false,
+            // P = 0: without a closing gap, between none and a jam.
+            ImpactCase::None | ImpactCase::Jams => {
+                let before = impact.before;
+                before.gap_rate.value() == 0.0
+                    && SlipDirection::of_sign(before.slip.value()).is_some_and(|direction| {
+                        self.slope(direction).gap_rate.value().abs() <= self.slope_rounding
+                    })
+            }
+            ImpactCase::SticksInCompression
+            | ImpactCase::ReversesInCompression
+            | ImpactCase::SticksInRestitution
+            | ImpactCase::ReversesInRestitution => self.after_slip == AfterSlip::Undecided,
         }
     }
 
@@ -503,7 +612,7 @@ impl<T: Number> Course<'_, T> {
         } = restitution;
         let closing = -self.before.gap_rate;
         let (k1, k2) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate);
-        let (first, reverses) = (self.first, self.contact.reverses);
+        let (first, reverses) = (self.first, self.contact.after_slip == AfterSlip::Reverses);
         let whole = (e + 1.0) * closing;
         if !jams && first.value() * k1.value() >= whole.value() {
             return End {
@@ -542,8 +651,14 @@ impl<T: Number> Course<'_, T> {
         };
         let opening = match law {
             RestitutionLaw::Energetic => {
-                let given_back = e * e * closing * closing - at_end * at_end;
-                (at_end * at_end + k2 / k1 * given_back).sqrt()
+                let left = e * e * closing * closing - at_end * at_end;
+                // Slip ends before the impact does, and nothing is left but rounding.
+                let left = if left.value() < 0.0 {
+                    T::constant(0.0)
+                } else {
+                    left
+                };
+                (at_end * at_end + k2 / k1 * left).sqrt()
             }
             RestitutionLaw::Poisson => at_end + k2 * (whole / k1 - first),
             RestitutionLaw::Newton => e * closing,
@@ -570,7 +685,17 @@ impl<T: Number> Course<'_, T> {
             friction: self.slipping.friction * one + then.friction * two,
         };
         let slip_between = match case {
-            ImpactCase::Slides => before.slip + self.slipping.slip * one,
+            ImpactCase::Slides => {
+                let slip = before.slip + self.slipping.slip * one;
+                // Where slip all but ends with the impact, rounding may not reverse it.
+                let [now, reversed] =
+                    [slip, -before.slip].map(|it| SlipDirection::of_sign(it.value()));
+                if now == reversed {
+                    T::constant(0.0)
+                } else {
+                    slip
+                }
+            }
             ImpactCase::None
             | ImpactCase::SticksInCompression
             | ImpactCase::ReversesInCompression

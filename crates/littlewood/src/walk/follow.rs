@@ -594,7 +594,11 @@ fn land<T: Solver>(
     }
     // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
-    let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
+    let contact = Contact::new(hoop, &body, state.theta);
+    let impact = contact.impact(before, restitution);
+    if contact.is_undecided(&impact) {
+        return Rebound::Unresolved(event);
+    }
     after_impact(solver, cursor, &body, event, impact)
 }
 
