@@ -606,15 +606,10 @@ struct End<T> {
 impl<T: Number> Course<'_, T> {
     /// The end of the impact by the law of restitution.
     fn end(&self, jams: bool, restitution: Restitution<T>) -> End<T> {
-        let Restitution {
-            coefficient: e,
-            law,
-        } = restitution;
-        let closing = -self.before.gap_rate;
-        let (k1, k2) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate);
-        let (first, reverses) = (self.first, self.contact.after_slip == AfterSlip::Reverses);
+        let e = restitution.coefficient;
+        let (closing, k1) = (-self.before.gap_rate, self.slipping.gap_rate);
         let whole = (e + 1.0) * closing;
-        if !jams && first.value() * k1.value() >= whole.value() {
+        if !jams && self.first.value() * k1.value() >= whole.value() {
             return End {
                 case: ImpactCase::Slides,
                 normal: whole / k1,
@@ -622,37 +617,58 @@ impl<T: Number> Course<'_, T> {
             };
         }
         // The gap rate where slip ends.
-        let at_end = k1 * first - closing;
+        let at_end = k1 * self.first - closing;
         if at_end.value() <= 0.0 {
-            let case = match (jams, reverses) {
-                (true, _) => ImpactCase::Jams,
-                (false, true) => ImpactCase::ReversesInCompression,
-                (false, false) => ImpactCase::SticksInCompression,
-            };
-            let compression = first - at_end / k2;
-            let opening = match law {
-                RestitutionLaw::Energetic => {
-                    let work = (closing - at_end) * 0.5 * first + at_end * 0.5 * at_end / k2;
-                    e * (work * 2.0 * k2).sqrt()
-                }
-                RestitutionLaw::Poisson => e * compression * k2,
-                RestitutionLaw::Newton => e * closing,
-            };
-            return End {
-                case,
-                normal: compression + opening / k2,
-                opening,
-            };
-        }
-        let case = if reverses {
-            ImpactCase::ReversesInRestitution
+            self.end_after_slip_in_compression(at_end, jams, restitution)
         } else {
-            ImpactCase::SticksInRestitution
+            self.end_after_slip_in_restitution(at_end, restitution)
+        }
+    }
+
+    /// The end of the impact if slip ends at a gap rate ≤ 0.
+    fn end_after_slip_in_compression(
+        &self,
+        at_end: T,
+        jams: bool,
+        restitution: Restitution<T>,
+    ) -> End<T> {
+        let case = match (jams, self.contact.after_slip) {
+            (true, _) => ImpactCase::Jams,
+            (false, AfterSlip::Reverses) => ImpactCase::ReversesInCompression,
+            (false, AfterSlip::Sticks | AfterSlip::Undecided) => ImpactCase::SticksInCompression,
         };
-        let opening = match law {
+        let e = restitution.coefficient;
+        let (closing, first) = (-self.before.gap_rate, self.first);
+        let k2 = self.contact.at_rest.gap_rate;
+        let compression = first - at_end / k2;
+        let opening = match restitution.law {
+            RestitutionLaw::Energetic => {
+                let work = (closing - at_end) * 0.5 * first + at_end * 0.5 * at_end / k2;
+                e * (work * 2.0 * k2).sqrt()
+            }
+            RestitutionLaw::Poisson => e * compression * k2,
+            RestitutionLaw::Newton => e * closing,
+        };
+        End {
+            case,
+            normal: compression + opening / k2,
+            opening,
+        }
+    }
+
+    /// The end of the impact if slip ends at a gap rate > 0.
+    fn end_after_slip_in_restitution(&self, at_end: T, restitution: Restitution<T>) -> End<T> {
+        let case = match self.contact.after_slip {
+            AfterSlip::Reverses => ImpactCase::ReversesInRestitution,
+            AfterSlip::Sticks | AfterSlip::Undecided => ImpactCase::SticksInRestitution,
+        };
+        let e = restitution.coefficient;
+        let (closing, first) = (-self.before.gap_rate, self.first);
+        let (k1, k2) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate);
+        let opening = match restitution.law {
             RestitutionLaw::Energetic => {
                 let left = e * e * closing * closing - at_end * at_end;
-                // Slip ends before the impact does, and nothing is left but rounding.
+                // It is not negative, but for rounding.
                 let left = if left.value() < 0.0 {
                     T::constant(0.0)
                 } else {
@@ -660,7 +676,7 @@ impl<T: Number> Course<'_, T> {
                 };
                 (at_end * at_end + k2 / k1 * left).sqrt()
             }
-            RestitutionLaw::Poisson => at_end + k2 * (whole / k1 - first),
+            RestitutionLaw::Poisson => at_end + k2 * ((e + 1.0) * closing / k1 - first),
             RestitutionLaw::Newton => e * closing,
         };
         End {
@@ -678,30 +694,26 @@ impl<T: Number> Course<'_, T> {
         } = self.end(jams, restitution);
         let before = self.before;
         let then = self.contact.at_rest;
-        let one = normal.min(self.first);
-        let two = normal - one;
-        let impulse = Impulse {
-            normal,
-            friction: self.slipping.friction * one + then.friction * two,
-        };
-        let slip_between = match case {
+        let (one, slip_between) = match case {
             ImpactCase::Slides => {
-                let slip = before.slip + self.slipping.slip * one;
+                let slip = before.slip + self.slipping.slip * normal;
                 // Where slip all but ends with the impact, rounding may not reverse it.
                 let [now, reversed] =
                     [slip, -before.slip].map(|it| SlipDirection::of_sign(it.value()));
-                if now == reversed {
-                    T::constant(0.0)
-                } else {
-                    slip
-                }
+                let ends = now == reversed;
+                (normal, if ends { T::constant(0.0) } else { slip })
             }
             ImpactCase::None
             | ImpactCase::SticksInCompression
             | ImpactCase::ReversesInCompression
             | ImpactCase::SticksInRestitution
             | ImpactCase::ReversesInRestitution
-            | ImpactCase::Jams => T::constant(0.0),
+            | ImpactCase::Jams => (self.first, T::constant(0.0)),
+        };
+        let two = normal - one;
+        let impulse = Impulse {
+            normal,
+            friction: self.slipping.friction * one + then.friction * two,
         };
         let gap_between = before.gap_rate + self.slipping.gap_rate * one;
         let after = ContactVelocities {
