@@ -194,7 +194,7 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             format!("{NO_ANSWER}: several motions are consistent, {found}; {rolling}; {sliding}.")
         }
         Outcome::Unresolved { .. } => {
-            "From here the motion changes faster than double precision resolves.".to_owned()
+            "From here double precision does not resolve the motion.".to_owned()
         }
         event @ (Outcome::Landing { .. }
         | Outcome::ParticleAtPlane { .. }
