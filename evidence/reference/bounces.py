@@ -212,7 +212,13 @@ def impacts():
             after, course = impact(body, mpf(e), law)
             u, w = after.contact()
             normal = (after.vy - body.vy) * b.m
-            numbers = (after.spin, u if course[-1] else mpf(0), w, normal, (after.vx - body.vx) * b.m)
+            numbers = (
+                after.spin,
+                u if course[-1] else mpf(0),
+                w,
+                normal,
+                (after.vx - body.vx) * b.m,
+            )
             found.append(
                 {
                     "hoop": hoop,
