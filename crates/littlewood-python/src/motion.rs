@@ -143,6 +143,7 @@ pub(crate) struct ImpactDict {
     normal_work: f64,
     friction_work: f64,
     energy_lost: f64,
+    gains_energy: bool,
 }
 
 impl From<&Impact> for ImpactDict {
@@ -158,6 +159,7 @@ impl From<&Impact> for ImpactDict {
             normal_work: impact.normal_work,
             friction_work: impact.friction_work,
             energy_lost: impact.energy_lost(),
+            gains_energy: impact.gains_energy(),
         }
     }
 }

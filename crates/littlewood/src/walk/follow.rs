@@ -684,7 +684,11 @@ fn land<T: Solver>(
     }
     // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
-    let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
+    let contact = Contact::new(hoop, &body, state.theta);
+    let impact = contact.impact(before, restitution);
+    if let Some(undecided) = contact.undecided(&impact) {
+        return Rebound::Unresolved { event, undecided };
+    }
     after_impact(solver, cursor, &body, event, impact)
 }
 
