@@ -223,6 +223,10 @@ impl<'a> FastSolver<'a> {
     /// Converts a phase that was solved exactly.
     fn from_exact(solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
         let end = match solved.end {
+            PhaseEnd::Rest { point, arrival } => PhaseEnd::Rest {
+                point: EngineState::new(point),
+                arrival,
+            },
             PhaseEnd::Event {
                 point,
                 cause,
@@ -406,18 +410,21 @@ impl<'a> FastSolver<'a> {
         direction: SlipDirection,
         event: &SlideEvent,
     ) -> Ended {
-        let (cause, arrival) = if event.lifts_off {
-            (Cause::LiftOff, Arrival::LiftOff)
-        } else {
-            (Cause::Stick, Arrival::InContact)
+        let point = EngineState {
+            state: self.slide_end(place, direction, event, false),
+            angle: event.angle,
         };
-        PhaseEnd::Event {
-            point: EngineState {
-                state: self.slide_end(place, direction, event, false),
-                angle: event.angle,
-            },
-            cause,
-            arrival,
+        if event.lifts_off {
+            PhaseEnd::Event {
+                point,
+                cause: Cause::LiftOff,
+                arrival: Arrival::LiftOff,
+            }
+        } else {
+            PhaseEnd::Rest {
+                point,
+                arrival: Arrival::InContact,
+            }
         }
     }
 

@@ -146,7 +146,8 @@ struct EndedPhase<P> {
     mode: Mode,
     direction: Option<SlipDirection>,
     point: P,
-    cause: Cause,
+    /// None at rest, where the motion that follows names the event.
+    cause: Option<Cause>,
     arrival: Arrival,
 }
 
@@ -472,12 +473,7 @@ fn finish_phase<T: Solver, R: Recorder<T::Solution>>(
     } = result;
     log.flush(direction);
     let theta_range = solution.theta_range();
-    if let PhaseEnd::Event {
-        point,
-        cause: Cause::Stick,
-        arrival,
-    } = &mut end
-    {
+    if let PhaseEnd::Rest { point, arrival } = &mut end {
         correct_rest(solver, cursor, point, arrival);
     }
     let record = PhaseRecord {
@@ -505,25 +501,28 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
     end: PhaseEnd<T::Point, T::Outcome>,
 ) -> Result<PhaseStep, T::Outcome> {
     let mode = phase.mode;
-    match end {
-        PhaseEnd::Event {
-            point,
-            cause,
-            arrival,
-        } => {
-            let ended = EndedPhase {
+    let mut next_phase = |cause, point, arrival| PhaseStep {
+        event: after_event(
+            solver,
+            cursor,
+            EndedPhase {
                 mode,
                 direction: phase.direction,
                 point,
                 cause,
                 arrival,
-            };
-            Ok(PhaseStep {
-                event: after_event(solver, cursor, ended),
-                impact: None,
-                theta_range: None,
-            })
-        }
+            },
+        ),
+        impact: None,
+        theta_range: None,
+    };
+    match end {
+        PhaseEnd::Rest { point, arrival } => Ok(next_phase(None, point, arrival)),
+        PhaseEnd::Event {
+            point,
+            cause,
+            arrival,
+        } => Ok(next_phase(Some(cause), point, arrival)),
         PhaseEnd::Settled { state, settling } => {
             Ok(after_settling(solver, cursor, state, &settling))
         }
@@ -642,16 +641,15 @@ fn after_event<T: Solver>(
         (_, Some(_)) => (cursor.last_slip, None),
         (_, None) => (None, None),
     };
-    // The next motion distinguishes stick, graze, reversal and lift-off.
-    let cause = match (cause, next.mode()) {
-        (Cause::Stick, Some(Mode::Sliding | Mode::Gliding)) => {
+    let cause = cause.unwrap_or_else(|| match next.mode() {
+        Some(Mode::Sliding | Mode::Gliding) => {
             let same = next.direction().is_some() && next.direction() == direction;
             if same { Cause::Graze } else { Cause::Reversal }
         }
         // The normal force vanishes at the same instant.
-        (Cause::Stick, Some(Mode::Flight)) => Cause::LiftOff,
-        (cause, Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None) => cause,
-    };
+        Some(Mode::Flight) => Cause::LiftOff,
+        Some(Mode::Rolling) | None => Cause::Stick,
+    });
     Event::new(state, mode, cause)
 }
 
