@@ -17,7 +17,7 @@ use core::f64::consts::TAU;
 
 use crate::math::trig::Angle;
 
-pub(super) use segment::SlidePoint;
+pub(super) use segment::{SIGN_TOLERANCE, SlidePoint};
 pub(super) use solve::{MotionFrame, SlideProblem, solve_slide};
 pub(super) use table::SlideTables;
 

@@ -38,7 +38,7 @@ const MINIMUM_TOLERANCE: f64 = 1e-7;
 /// A number within this part of its terms of zero may have either sign in the simulation: rounding,
 /// as much as passages of the bottom of a light hoop and a small P amplify it. It is part of the
 /// assumption that the documentation of [`crate::Engine`] states.
-pub(super) const SIGN_TOLERANCE: f64 = 1e-9;
+pub(in crate::engine) const SIGN_TOLERANCE: f64 = 1e-9;
 
 /// Where η″ vanishes at an end of a segment its sign is evaluated so far inside, as a part of the
 /// segment.
