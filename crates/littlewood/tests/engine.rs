@@ -10,6 +10,7 @@ use crate::common::{
     any_slope, engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start, tilted,
     whole_range,
 };
+use littlewood::many::Fallback;
 use littlewood::modes::SlideLimit;
 use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
 use littlewood::{
@@ -784,6 +785,42 @@ fn periods_on_a_smooth_plane_end_at_the_limits_of_the_simulation() {
         }
         assert!(ends.iter().all(|count| *count > 2), "{ends:?}");
         agree_to(limits, &hoop, &starts).expect("the same motions");
+    }
+}
+
+/// Where θ is known to a few parts of 10¹⁰ motions are computed, too, up to `MAX_ANGLE`.
+#[test]
+fn angles_of_some_million_radians_have_the_outcomes_of_the_simulation() {
+    let thin = HoopParameters::thin(1.0);
+    for hoop in [
+        thin.with_friction(0.5, 0.4),
+        thin.with_friction(1e-2, 1e-3),
+        thin.with_friction(0.0, 0.0),
+        thin.with_friction(0.5, 0.4).with_slope(0.01),
+        thin.with_friction(0.5, 0.4).with_slope(-0.3),
+        HoopParameters::thin(0.05).with_friction(0.3, 0.25),
+        HoopParameters::thin(0.2)
+            .with_inertia(0.1)
+            .with_friction(1.5, 1.4),
+    ] {
+        let hoop = Hoop::new(hoop).expect("a hoop");
+        let starts: Vec<Start> = random_starts(60)
+            .map(|start| {
+                let theta = start.theta + 2.2e6_f64.copysign(start.theta_rate);
+                Start::at(theta, start.theta_rate).with_slip(start.slip)
+            })
+            .collect();
+        agree(&hoop, &starts).expect("the same motions");
+        let engine = Engine::new(&hoop);
+        for start in starts {
+            engine
+                .summary(start, Limits::until(20.0))
+                .expect("a valid start");
+        }
+        let far = engine
+            .fallbacks()
+            .find(|(reason, _)| *reason == Fallback::Far);
+        assert_eq!(far.map(|(_, count)| count), Some(0));
     }
 }
 

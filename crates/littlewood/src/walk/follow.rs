@@ -53,7 +53,7 @@ impl<P> Cursor<P> {
             Body::Heavy(body) if gap_rate > 0.0 => begin_flight(solver, &body, &state, gap_rate),
             Body::Heavy(_) | Body::Massless(_) => solver.next_motion(&point, Arrival::Start),
         };
-        let last_slip = LastSlip::at_start(solver.hoop(), state, next.direction());
+        let last_slip = LastSlip::at_start(solver.hoop(), state, &next);
         Self {
             point,
             next,

@@ -32,7 +32,7 @@ const MAX_TURNS: f64 = 16.0;
 const MAX_PERIODS: f64 = 64.0;
 
 /// Fewer periods are followed one by one.
-const MIN_PERIODS_TO_SKIP: f64 = 3.0;
+const MIN_PERIODS_TO_SKIP: f64 = 2.0;
 
 /// A point is the same after a period if its angle is the same to this.
 const PERIOD_TOLERANCE: f64 = 1e-12;
@@ -540,12 +540,7 @@ impl<'a> Slide<'a> {
         let loss = self.frame.slip_loss(period.duration);
         let is_rotation = period.delta_theta != 0.0;
         let periods_left = (self.time_left - elapsed) / period.duration;
-        // In the frame in which η′ < 0 they are followed one by one.
-        let periods = if self.frame.sigma > 0.0 {
-            (self.min_slip / loss).min(periods_left)
-        } else {
-            0.0
-        };
+        let periods = (self.min_slip / loss).min(periods_left);
         if loss <= 0.0 && (!is_rotation || law.friction == 0.0) {
             // η′ is no less after each period: there is no event at all.
             if periods_left == f64::INFINITY {
@@ -567,7 +562,7 @@ impl<'a> Slide<'a> {
             return Err(Fallback::TooLong);
         } else if periods > MIN_PERIODS_TO_SKIP {
             // Rounding might decide in the last ones: they are followed.
-            self.skip_periods(periods.floor() - 2.0, period);
+            self.skip_periods(periods.floor() - 1.0, period);
         }
         Ok(None)
     }
