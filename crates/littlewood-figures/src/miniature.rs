@@ -5,7 +5,8 @@ use core::f64::consts::TAU;
 
 use littlewood::{Mode, Sample};
 use littlewood_draw::{
-    Content, Dash, HATCH, INK, Label, Layer, Mark, Panel, PlotAxis, SMALL, Series, Sheet, Stroke,
+    Content, Dash, HATCH, INK, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, SMALL, Series,
+    Sheet, Stroke,
 };
 use littlewood_style::width::{CURVE, FINE};
 
@@ -66,9 +67,8 @@ fn path(samples: &[Sample]) -> Vec<Layer> {
 }
 
 /// The picture of a motion in a frame of its panel, so many pixels to a radius, with a title.
-pub(crate) fn picture(motion: &Shown, frame: [f64; 4], unit: f64, title: &str) -> Panel {
-    let [_, _, wide, high] = frame;
-    let (wide, high) = (wide / unit, high / unit);
+pub(crate) fn picture(motion: &Shown, frame: PanelFrame, unit: f64, title: &str) -> Panel {
+    let (wide, high) = (frame.width / unit, frame.height / unit);
     let samples = samples(motion, wide - 2.4);
     let [left, right] = bounds(samples.iter().map(|sample| sample.centre.x), 0.0);
     let middle = 0.5 * (left + right);

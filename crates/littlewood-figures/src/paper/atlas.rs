@@ -5,8 +5,8 @@ use littlewood::tables::{PhaseCode, Setup};
 use littlewood::theory::Window;
 use littlewood::{Engine, Start, Summary};
 use littlewood_draw::{
-    Content, Figure, INK, Key, Label, Mark, PAPER, Panel, PlotAxis, START, Series, Sheet, Stroke,
-    TRANSITION,
+    Content, Figure, INK, Key, Label, Mark, PAPER, Panel, PanelFrame, PlotAxis, START, Series,
+    Sheet, Stroke, TRANSITION,
 };
 use littlewood_style::ticks::minus;
 use littlewood_style::width::FINE;
@@ -215,7 +215,7 @@ struct Layout {
     each: f64,
     high: f64,
     /// The plane, and the upper ends of the two rows.
-    plane: [f64; 4],
+    plane: PanelFrame,
     tops: [f64; 2],
 }
 
@@ -234,7 +234,12 @@ impl Layout {
             count,
             each,
             high,
-            plane: [left, plane_top, inner, plane_high],
+            plane: PanelFrame {
+                left,
+                top: plane_top,
+                width: inner,
+                height: plane_high,
+            },
             tops: [top, plane_top + plane_high + LEADERS],
         }
     }
@@ -285,7 +290,12 @@ impl Motions {
             let motion = input.hoop.simulate(own.start, input.limits)?;
             let motion = Shown::new(motion, input.wording());
             let left = layout.left_of(i, count);
-            let frame = [left, layout.tops[half], layout.each, layout.high];
+            let frame = PanelFrame {
+                left,
+                top: layout.tops[half],
+                width: layout.each,
+                height: layout.high,
+            };
             let unit = layout.each / RADII;
             self.pictures
                 .push(picture(&motion, frame, unit, &own.words));
@@ -318,7 +328,7 @@ impl Motions {
             layers,
             labels: Vec::from_iter(label),
         };
-        Sheet::bare([0.0, 0.0, width, height], content, 0.0)
+        Sheet::bare(PanelFrame::from_corner(width, height), content, 0.0)
     }
 }
 
