@@ -154,12 +154,12 @@ stage_instructions() {
   cargo run --quiet --release --locked -p littlewood-digest --example instructions -- "${1:-check}"
 }
 
-about properties 'property tests and fuzzers for longer, with another PROPTEST_RNG_SEED each time, which a failure prints'
+about properties 'property tests and fuzzers for longer (PROPTEST_CASES, LITTLEWOOD_FUZZ_SECONDS), with another PROPTEST_RNG_SEED each time, which a failure prints'
 stage_properties() {
   export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-$(date +%s)}" PROPTEST_CASES="${PROPTEST_CASES:-4096}"
   echo "PROPTEST_RNG_SEED=$PROPTEST_RNG_SEED"
   cargo test --release --package littlewood --package littlewood-sweep --package littlewood-film --locked --no-fail-fast -- --include-ignored
-  LITTLEWOOD_FUZZ_SECONDS=900 cargo test --release --package littlewood-cli --features full --locked fuzz:: -- --include-ignored --nocapture
+  LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-900}" cargo test --release --package littlewood-cli --features full --locked fuzz:: -- --include-ignored --nocapture
 }
 
 about coverage 'of the core by its own tests: target/coverage/html, and at least 97 % of its lines. Needs cargo-llvm-cov and llvm-tools'

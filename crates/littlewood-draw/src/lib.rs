@@ -55,7 +55,8 @@ mod words;
 pub use caption::latex;
 pub use error::DrawError;
 pub use figure::{
-    Figure, HoopShape, Key, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View, tilted,
+    Figure, HoopShape, Key, Label, Layer, Mark, Panel, PanelFrame, Piece, PlotAxis, Scale, Series,
+    View, tilted,
 };
 pub use font::font;
 pub use letters::{missing, outlines, width};

@@ -3,7 +3,8 @@
 use littlewood::tables::PhaseSequence;
 use littlewood_draw::{
     BOUNDARY, Content, DrawError, Figure, Image, LETTER, Label, Layer, Mark, PAPER, Panel,
-    PlotAxis, ROOM, SMALL, SOFT, Scale as Ticks, Series, Sheet, Stroke, Tick, View, width,
+    PanelFrame, PlotAxis, ROOM, SMALL, SOFT, Scale as Ticks, Series, Sheet, Stroke, Tick, View,
+    width,
 };
 use littlewood_style::width::FINE;
 use littlewood_style::{Curve, Rgb};
@@ -70,7 +71,7 @@ fn axis(column: &'static str, title: &str, ticks: Option<Vec<Tick>>) -> PlotAxis
 }
 
 /// A panel without axes.
-fn bare(name: &'static str, frame: [f64; 4], labels: Vec<Label>, image: Option<Image>) -> Panel {
+fn bare(name: &'static str, frame: PanelFrame, labels: Vec<Label>, image: Option<Image>) -> Panel {
     let [x, y] = COLUMNS.map(|column| axis(column, "", None));
     let view = View::Plane {
         x,
@@ -106,7 +107,17 @@ fn heading(sheet: &Sheet, is_print: bool, title: &str, notes: &[Vec<String>]) ->
     };
     let mut labels = vec![label(title.to_owned()).sized(LETTER)];
     labels.extend(rows.map(|row| label(row).sized(SMALL).coloured(SOFT)));
-    let panel = bare("title", [begin, 4.0, inner, top], labels, None);
+    let panel = bare(
+        "title",
+        PanelFrame {
+            left: begin,
+            top: 4.0,
+            width: inner,
+            height: top,
+        },
+        labels,
+        None,
+    );
     (panel, top)
 }
 
@@ -166,7 +177,15 @@ impl Picture {
         };
         let [left, inner] = sheet.span();
         let content = self.content(&curves, scale.as_ref());
-        let mut panel = Sheet::panel([left, top, inner, height], content);
+        let mut panel = Sheet::panel(
+            PanelFrame {
+                left,
+                top,
+                width: inner,
+                height,
+            },
+            content,
+        );
         if scale.is_some() || self.regions.regions.is_empty() {
             let [[left, top], [right, bottom]] = panel.axes_frame();
             let fineness = if is_print { FINENESS } else { pixels };
@@ -201,7 +220,12 @@ impl Picture {
         };
         bare(
             "scale",
-            [left + ROOM[0], top, inner - ROOM[0], BAR],
+            PanelFrame {
+                left: left + ROOM[0],
+                top,
+                width: inner - ROOM[0],
+                height: BAR,
+            },
             ticks.iter().map(label).collect(),
             Some(image),
         )
