@@ -140,8 +140,7 @@ impl Picture {
         };
         let title = title(self.shade, self.goes_on(), self.units.as_ref());
         let note = scale.as_ref().and_then(|scale| self.note_of_scale(scale));
-        let limits = note.into_iter().chain(self.note_of_cells()).collect();
-        let notes = [self.fixed(), self.meanings(), limits];
+        let notes = [self.fixed(), self.meanings(), Vec::from_iter(note)];
 
         let (heading, mut top) = heading(&sheet, is_print, &title, &notes);
         let mut panels = vec![heading];

@@ -111,14 +111,6 @@ impl Picture {
         (!text.is_empty()).then(|| text.join("; "))
     }
 
-    /// What the length of motions has limited.
-    pub(super) fn note_of_cells(&self) -> Option<String> {
-        let [right, up] = self.followed_cells?;
-        Some(format!(
-            "boundaries followed in {right} × {up} cells, as motions take long"
-        ))
-    }
-
     fn entries_of_scale(&self, scale: Option<&Scale>) -> Vec<Entry> {
         let mut entries = Vec::new();
         let cells_share = |count: usize| {

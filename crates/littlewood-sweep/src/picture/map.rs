@@ -67,9 +67,6 @@ pub struct Picture {
     pub(super) cells: Vec<Cell>,
     /// The regions of one colour, once their boundaries have been followed.
     pub(super) regions: Regions,
-    /// Cells to the right and upwards in which they were followed, if motions take too long for as
-    /// many as usual.
-    pub(super) followed_cells: Option<[usize; 2]>,
     tally: Tally,
     /// Points of each sequence, for a map of sequences.
     pub(super) sequences: HashMap<u64, u64>,
@@ -136,9 +133,7 @@ impl Picture {
             regions: Regions {
                 regions: Vec::new(),
                 boundaries: Vec::new(),
-                cells: [0; 2],
             },
-            followed_cells: None,
             tally: Tally::default(),
             sequences: HashMap::new(),
             ranking: Vec::new(),
