@@ -164,7 +164,7 @@ impl Picture {
             (high - top - BELOW).max(2.0 * ROOM[1])
         };
         let [left, inner] = sheet.span();
-        let content = self.content(&curves, scale.as_ref());
+        let content = self.content(&curves, scale.is_some());
         let mut panel = Sheet::panel([left, top, inner, height], content);
         if scale.is_some() || self.regions.regions.is_empty() {
             let [[left, top], [right, bottom]] = panel.axes_frame();
@@ -207,7 +207,7 @@ impl Picture {
     }
 
     /// The axes, and what is drawn over them.
-    fn content(&self, curves: &[(Curve, Vec<Place>)], scale: Option<&Scale>) -> Content {
+    fn content(&self, curves: &[(Curve, Vec<Place>)], has_scale: bool) -> Content {
         let units = self.units.as_ref();
         let axes = self.grid.axes();
         let [x, y] = [0, 1].map(|k| {
@@ -223,27 +223,27 @@ impl Picture {
             name: "plane",
             x,
             y,
-            layers: self.layers(curves, scale),
+            layers: self.layers(curves, has_scale),
             labels: Vec::new(),
         }
     }
 
     /// All that is drawn over the axes.
-    fn layers(&self, curves: &[(Curve, Vec<Place>)], scale: Option<&Scale>) -> Vec<Layer> {
+    fn layers(&self, curves: &[(Curve, Vec<Place>)], has_scale: bool) -> Vec<Layer> {
         let turned = |line: &Vec<Place>| {
             line.iter()
                 .map(|place| self.upright(*place))
                 .collect::<Vec<_>>()
         };
         let mut layers: Vec<Layer> = Vec::new();
-        if scale.is_none() {
+        if !has_scale {
             for region in &self.regions.regions {
                 let outlines = region.outlines.iter().map(turned);
                 let series = Series::new(self.name_of(region.key), &COLUMNS, outlines);
                 layers.push(series.drawn(Mark::Region(self.colour_of(region.key))));
             }
         }
-        let stroke = if scale.is_some() {
+        let stroke = if has_scale {
             Stroke::solid(PAPER, FINE)
         } else {
             BOUNDARY
@@ -255,13 +255,6 @@ impl Picture {
             .map(|boundary| turned(&boundary.points))
             .collect();
         layers.push(lines("boundary", &boundaries, stroke));
-        if let Some(scale) = scale {
-            layers.push(lines(
-                "contour",
-                &self.contours(scale),
-                Stroke::solid(PAPER, FINE),
-            ));
-        }
         for curve in Curve::ALL {
             let own: Vec<Vec<Place>> = curves
                 .iter()

@@ -102,7 +102,6 @@ impl Picture {
             (scale.kind == Kind::Log, "logarithmic scale"),
             (scale.beyond[0], "smaller values as at the left end"),
             (scale.beyond[1], "larger values as at the right end"),
-            (self.has_contours, "lines at the ticks"),
         ];
         let text: Vec<&str> = parts
             .into_iter()

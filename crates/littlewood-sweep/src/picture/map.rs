@@ -60,7 +60,6 @@ pub struct Picture {
     /// Units of what is printed; none where it is dimensionless.
     pub(super) units: Option<Units>,
     pub(super) has_curves: bool,
-    pub(super) has_contours: bool,
     pub(super) is_in_vectors: bool,
     /// Cells to the right and upwards.
     pub(super) counts: [usize; 2],
@@ -126,7 +125,6 @@ impl Picture {
             size,
             units: None,
             has_curves: false,
-            has_contours: false,
             is_in_vectors: false,
             counts,
             cells: vec![Cell::NOT_COMPUTED; counts[0] * counts[1]],
@@ -194,18 +192,6 @@ impl Picture {
     pub fn with_curves(mut self) -> Result<Self, PictureError> {
         self.check_curves()?;
         self.has_curves = true;
-        Ok(self)
-    }
-
-    /// With lines at the ticks of the scale.
-    ///
-    /// # Errors
-    /// If what is shown is not on a scale.
-    pub fn with_contours(mut self) -> Result<Self, PictureError> {
-        if !self.shade.is_on_a_scale() {
-            return Err(PictureError::NoScale { shade: self.shade });
-        }
-        self.has_contours = true;
         Ok(self)
     }
 
