@@ -147,21 +147,26 @@ fn boundaries_are_followed_to_the_pixel() {
 }
 
 #[test]
-fn boundaries_take_no_more_motions_than_there_are_sides_to_halve() {
+fn where_motions_take_long_boundaries_are_located_less_closely_and_the_key_says_so() {
     // Almost without friction a motion slides for thousands of turns.
     let hoop = figure_2().hoop.with_friction(1e-4, 1e-4);
-    let (_, mut picture) = of_points(hoop, 3, Limits::default());
-    let followed = AtomicU64::new(0);
-    let count = |progress: Progress| {
-        followed.fetch_max(progress.followed, Ordering::Relaxed);
-    };
-    let options = Options {
-        progress: Some(&count),
-        ..Options::default()
-    };
-    assert!(picture.follow(&workers(2), &options).unwrap());
-    // Twelve sides of four cells, each of half the map: ten halvings.
-    assert!(followed.into_inner() <= 120);
+    for (count, is_cut) in [(3, false), (20, true)] {
+        let (_, mut picture) = of_points(hoop, count, Limits::default());
+        let followed = AtomicU64::new(0);
+        let count = |progress: Progress| {
+            followed.fetch_max(progress.followed, Ordering::Relaxed);
+        };
+        let options = Options {
+            progress: Some(&count),
+            ..Options::default()
+        };
+        assert!(picture.follow(&workers(2), &options).unwrap());
+        // Otherwise there are tens of thousands.
+        let followed = followed.into_inner();
+        assert!((16..8_000).contains(&followed), "{followed}");
+        let caption = picture.figure(None).unwrap().caption;
+        assert_eq!(caption.contains("less closely"), is_cut, "{caption}");
+    }
 }
 
 #[test]

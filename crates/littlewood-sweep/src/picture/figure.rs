@@ -31,6 +31,8 @@ const BELOW: f64 = 6.0;
 const COLUMNS: [&str; 2] = ["right", "up"];
 /// Pixels by which a curve stands out from what is below it on either side.
 const MARGIN: f64 = 1.0;
+/// What is said where motions take long.
+const CUT: &str = "boundaries located less closely, as motions take long";
 /// Colours of a continuous scale.
 const COLOURS: usize = 128;
 /// Pixels of an image to one of a drawing for print.
@@ -140,7 +142,9 @@ impl Picture {
         };
         let title = title(self.shade, self.goes_on(), self.units.as_ref());
         let note = scale.as_ref().and_then(|scale| self.note_of_scale(scale));
-        let notes = [self.fixed(), self.meanings(), Vec::from_iter(note)];
+        let is_cut = self.is_cut.then(|| CUT.to_owned());
+        let limits = note.into_iter().chain(is_cut).collect();
+        let notes = [self.fixed(), self.meanings(), limits];
 
         let (heading, mut top) = heading(&sheet, is_print, &title, &notes);
         let mut panels = vec![heading];

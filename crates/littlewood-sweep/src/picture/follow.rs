@@ -1,7 +1,7 @@
 //! The boundaries between the colours of a map, followed between the points of its grid.
 
-use littlewood::Hoop;
 use littlewood::tables::{Class, Setup};
+use littlewood::{Hoop, Summary};
 
 use super::cells::of_class;
 use super::map::Picture;
@@ -19,9 +19,21 @@ use crate::watch::Ledger;
 const PIXELS: f64 = 5e-4;
 const VECTORS: f64 = 1e-6;
 
-/// Motions that are followed to locate the boundaries of any map. Those of a larger one may take as
-/// many as it has points.
-const MOTIONS: usize = 20_000;
+/// What the motions may take that are followed to locate boundaries. A unit is about a microsecond:
+/// a transition, or a slide of length 3 (the length that [`littlewood::Limits::slides`] counts).
+const WORK: f64 = 3e6;
+
+/// The longest slide that is followed: whole turns of a longer one are skipped.
+const LONGEST_SLIDE: f64 = 32.0;
+
+/// Work up to which a motion is short: with tables of its hoop it takes a tenth of that.
+const SHORT: f64 = 100.0;
+const SHARE_WITH_TABLES: f64 = 0.1;
+
+/// Motions that are followed at once: some to see how long they take, then those of a part of the
+/// work.
+const FIRST: usize = 16;
+const AT_ONCE: f64 = 0.05 * WORK;
 
 /// Follows motions between the points of a grid.
 struct Follower<'a> {
@@ -29,15 +41,17 @@ struct Follower<'a> {
     workers: &'a Workers,
     ledger: &'a Ledger<'a>,
     is_one_hoop: bool,
-    /// Motions that may still be followed.
-    left: usize,
+    /// Motions that were followed, and the work that they took.
+    motions: usize,
+    work: f64,
 }
 
 impl Picture {
     /// Follows the boundaries between colours as curves: between neighbours of the grid that
-    /// differ, motions are computed, as many as the grid has points at most. The result does not
-    /// depend on the number of threads. Cancelled, it returns false and leaves the picture as it
-    /// is, and so it does where not every point has been added.
+    /// differ, motions are computed. The work is bounded: where motions take long, boundaries are
+    /// located less closely, which the key says. The result does not depend on the number of
+    /// threads. Cancelled, it returns false and leaves the picture as it is, and so it does where
+    /// not every point has been added.
     ///
     /// # Errors
     /// As [`Workers::compute`].
@@ -52,12 +66,15 @@ impl Picture {
             workers,
             ledger: &ledger,
             is_one_hoop: !self.grid.axes().iter().any(Axis::is_of_the_hoop),
-            left: self.cells.len().max(MOTIONS),
+            motions: 0,
+            work: 0.0,
         };
         let width = if self.is_in_vectors { VECTORS } else { PIXELS };
-        match Regions::find(&self.lattice(), width, &mut |places| follower.keys(places)) {
+        let found = Regions::find(&self.lattice(), width, &mut |places| follower.keys(places));
+        let is_cut = follower.is_over();
+        match found {
             Ok(regions) => {
-                self.regions = regions;
+                (self.regions, self.is_cut) = (regions, is_cut);
                 Ok(true)
             }
             Err(Halt::Cancelled) => Ok(false),
@@ -68,15 +85,27 @@ impl Picture {
 
 impl Follower<'_> {
     fn keys(&mut self, places: &[Place]) -> Result<Option<Vec<u64>>, Halt> {
-        let Some(left) = self.left.checked_sub(places.len()) else {
-            return Ok(None);
-        };
-        self.left = left;
-        self.follow(places).map(Some)
+        let mut keys = Vec::with_capacity(places.len());
+        while keys.len() < places.len() {
+            if self.is_over() {
+                return Ok(None);
+            }
+            let count = match self.motions {
+                0 => FIRST,
+                motions => (AT_ONCE * motions as f64 / self.work) as usize + 1,
+            };
+            let rest = &places[keys.len()..];
+            keys.extend(self.follow(&rest[..count.min(rest.len())])?);
+        }
+        Ok(Some(keys))
+    }
+
+    fn is_over(&self) -> bool {
+        self.work > WORK
     }
 
     /// Follows motions as far as their colours ask for.
-    fn follow(&self, places: &[Place]) -> Result<Vec<u64>, Halt> {
+    fn follow(&mut self, places: &[Place]) -> Result<Vec<u64>, Halt> {
         let picture = self.picture;
         let whole: Vec<Setup> = places
             .iter()
@@ -105,7 +134,7 @@ impl Follower<'_> {
         Ok(classes.into_iter().map(of_class).collect())
     }
 
-    fn compute(&self, points: &[Setup]) -> Result<Columns, Halt> {
+    fn compute(&mut self, points: &[Setup]) -> Result<Columns, Halt> {
         let Picture { grid, limits, .. } = self.picture;
         let starts = if self.is_one_hoop {
             u64::MAX
@@ -119,8 +148,30 @@ impl Follower<'_> {
             share_hoop: self.is_one_hoop,
             derivatives: &[],
         };
-        self.workers
-            .follow_points(points_of_hoop, Some(starts), *limits, &watch)
+        let found = self
+            .workers
+            .follow_points(points_of_hoop, Some(starts), *limits, &watch)?;
+        self.motions += points.len();
+        self.work += found
+            .summaries()
+            .zip(points)
+            .map(|(summary, point)| self.work_of(&summary, point))
+            .sum::<f64>();
+        Ok(found)
+    }
+
+    /// The work of a motion. What has no number takes none.
+    fn work_of(&self, summary: &Summary, point: &Setup) -> f64 {
+        let transitions = 1.0 + f64::from(summary.transitions);
+        let time = summary.end.time - point.start.time;
+        let angle = summary.end.theta - point.start.theta;
+        let slides = (LONGEST_SLIDE * transitions).min(time.abs() + angle.abs());
+        let work = transitions + slides / 3.0;
+        if self.is_one_hoop {
+            SHARE_WITH_TABLES * work.min(SHORT) + (work - SHORT).max(0.0)
+        } else {
+            work
+        }
     }
 }
 

@@ -66,6 +66,8 @@ pub struct Picture {
     pub(super) cells: Vec<Cell>,
     /// The regions of one colour, once their boundaries have been followed.
     pub(super) regions: Regions,
+    /// Whether motions took too long to locate their boundaries closely.
+    pub(super) is_cut: bool,
     tally: Tally,
     /// Points of each sequence, for a map of sequences.
     pub(super) sequences: HashMap<u64, u64>,
@@ -132,6 +134,7 @@ impl Picture {
                 regions: Vec::new(),
                 boundaries: Vec::new(),
             },
+            is_cut: false,
             tally: Tally::default(),
             sequences: HashMap::new(),
             ranking: Vec::new(),
