@@ -62,8 +62,9 @@ impl Plan {
         let (starts, width) = match effort {
             Effort::Tables => ([401, 301], WIDTH),
             Effort::Direct => ([201, 151], COARSE),
-            Effort::Simulated | Effort::Long => ([109, 81], COARSE),
-            Effort::Chains | Effort::Bounces => ([109, 81], COARSE),
+            Effort::Chains | Effort::Bounces | Effort::Simulated | Effort::Long => {
+                ([109, 81], COARSE)
+            }
             Effort::Slow => ([61, 45], COARSE),
         };
         Self {
