@@ -208,9 +208,3 @@ stage_workflows() {
   git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources
   actionlint
 }
-
-about captions 'LaTeX sets the captions of all figures, of named and of unusual hoops. Needs pdflatex (on Debian texlive-latex-base)'
-stage_captions() {
-  built
-  scripts/captions.sh "$LITTLEWOOD_BIN"
-}

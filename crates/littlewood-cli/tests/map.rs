@@ -801,7 +801,7 @@ fn a_picture_may_show_phases_energy_and_curves() {
     let plain = map(&[]);
     for more in [
         &["--shade", "sequence"][..],
-        &["--shade", "energy_lost", "--contours"],
+        &["--shade", "energy_lost"],
         &["--curves"],
     ] {
         assert!(map(more) != plain, "{more:?}");
@@ -809,7 +809,6 @@ fn a_picture_may_show_phases_energy_and_curves() {
     let refused =
         |more: &[&'static str]| complaint(&[&["map", "figure-3", "--out", &out], more].concat(), 2);
     let plane = |more: &[&'static str]| refused(&[&SMALL[..], more].concat());
-    assert!(plane(&["--contours"]).contains("hint: leave out --contours"));
     assert!(plane(&["--curves", "--slip", "0.1"]).contains("its starts have slip"));
     assert!(
         refused(&["--x", "theta=-1:1:3", "--y", "mu=0:1:3", "--curves"])

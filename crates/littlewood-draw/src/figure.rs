@@ -6,6 +6,7 @@ use littlewood_style::ticks::{self, Tick};
 use littlewood_style::{Curve, Rgb};
 
 use crate::clip;
+use crate::markup::plain;
 use crate::primitives::{Anchor, Image};
 use crate::stroke::{INK, LETTER, ROOM, Stroke};
 
@@ -511,6 +512,11 @@ impl Figure {
     pub fn noted(mut self, note: impl Into<Option<String>>) -> Self {
         self.notes.extend(note.into());
         self
+    }
+
+    /// The caption without marks.
+    pub fn caption_txt(&self) -> String {
+        format!("{}\n\n{}\n", plain(&self.title), plain(&self.caption))
     }
 
     /// The series of this name in any panel.
