@@ -43,7 +43,7 @@ class State:
     slip : float
         Slip velocity η′ of the contact point (2.7), √(gR).
     x : float
-        Horizontal position of the geometric centre, R.
+        Position of the geometric centre along the plane, R.
     """
 
     time: float

@@ -301,6 +301,14 @@ impl<'a> FastSolver<'a> {
         })
     }
 
+    /// Whether a slide without kinetic friction leaves the plane before the top, where that is
+    /// certain.
+    fn leaves_plane_at_top(&self, body: &Heavy, place: &EngineState) -> Option<bool> {
+        let at_top = MarginAtTop::new(body, &place.state, place.angle);
+        self.sign_is_certain(at_top.value, 1.0 + at_top.terms)
+            .then_some(at_top.value < 0.0)
+    }
+
     /// Whether P > 0 is certain.
     #[inline(always)]
     fn is_solvable(&self, place: &EngineState, direction: SlipDirection) -> bool {
@@ -695,11 +703,7 @@ impl Solver for FastSolver<'_> {
             // A zero of a higher order, which the simulation divides out.
             return left_to_the_simulation(Fallback::Cancelled);
         }
-        let at_top = MarginAtTop::new(body, &state, place.angle);
-        let is_decided = self.sign_is_certain(at_top.value, 1.0 + at_top.terms)
-            && (at_top.value < 0.0) == may_lift_off;
-        if is_conservative && !is_decided {
-            // Whether the hoop leaves the plane before the top.
+        if is_conservative && self.leaves_plane_at_top(body, place) != Some(may_lift_off) {
             return left_to_the_simulation(Fallback::Cancelled);
         }
         if is_conservative && is_next_to_equilibrium(body, place) {

@@ -501,28 +501,26 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
     end: PhaseEnd<T::Point, T::Outcome>,
 ) -> Result<PhaseStep, T::Outcome> {
     let mode = phase.mode;
-    let mut next_phase = |cause, point, arrival| PhaseStep {
-        event: after_event(
-            solver,
-            cursor,
-            EndedPhase {
-                mode,
-                direction: phase.direction,
-                point,
-                cause,
-                arrival,
-            },
-        ),
-        impact: None,
-        theta_range: None,
+    let ended = |cause, point, arrival| EndedPhase {
+        mode,
+        direction: phase.direction,
+        point,
+        cause,
+        arrival,
     };
     match end {
-        PhaseEnd::Rest { point, arrival } => Ok(next_phase(None, point, arrival)),
+        PhaseEnd::Rest { point, arrival } => {
+            Ok(after_event(solver, cursor, ended(None, point, arrival)))
+        }
         PhaseEnd::Event {
             point,
             cause,
             arrival,
-        } => Ok(next_phase(Some(cause), point, arrival)),
+        } => Ok(after_event(
+            solver,
+            cursor,
+            ended(Some(cause), point, arrival),
+        )),
         PhaseEnd::Settled { state, settling } => {
             Ok(after_settling(solver, cursor, state, &settling))
         }
@@ -620,7 +618,7 @@ fn after_event<T: Solver>(
     solver: &T,
     cursor: &mut Cursor<T::Point>,
     ended: EndedPhase<T::Point>,
-) -> Event {
+) -> PhaseStep {
     let EndedPhase {
         mode,
         direction,
@@ -650,7 +648,11 @@ fn after_event<T: Solver>(
         Some(Mode::Flight) => Cause::LiftOff,
         Some(Mode::Rolling) | None => Cause::Stick,
     });
-    Event::new(state, mode, cause)
+    PhaseStep {
+        event: Event::new(state, mode, cause),
+        impact: None,
+        theta_range: None,
+    }
 }
 
 /// Moves the cursor past the impact of a landing.
