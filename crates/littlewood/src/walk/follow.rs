@@ -260,6 +260,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
 }
 
 /// Skips periods of a motion that repeats itself, as many as end before all limits.
+#[inline(never)]
 fn skip_periods<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     cursor: &mut Cursor<T::Point>,
