@@ -11,7 +11,7 @@ use littlewood_draw::{
     key_of_curve, lift_off_condition, short,
 };
 use littlewood_style::{Curve, of_class};
-use littlewood_sweep::{Axis, Grid, Place, Region, Regions, Workers};
+use littlewood_sweep::{Axis, FOR_A_POINT, Grid, Place, Region, Regions, Workers};
 
 use crate::axes::plane_window;
 use crate::catalogue::Watch;
@@ -29,8 +29,6 @@ const SHEET: f64 = 620.0;
 /// tenth of a pixel.
 const WIDTH: f64 = 1e-6;
 const COARSE: f64 = 2e-4;
-/// Motions that are followed for a start of the lattice, about.
-const FOR_A_START: u64 = 2;
 /// Part of the plane that can be seen.
 const LEAST: f64 = 1e-7;
 /// Of a region of motions that go on after a landing: whether they have lifted off. Its class is in
@@ -92,7 +90,7 @@ fn regions_of(
         Setup::new(input.hoop.parameters(), Start::at(0.0, 0.0)),
         axes,
     )?;
-    let total = FOR_A_START * grid.len();
+    let total = FOR_A_POINT as u64 * grid.len();
     let mut told = |followed: u64| watch(followed.min(total), total);
     let fates = Fates::of(&input.hoop);
     let is_cut = Cell::new(false);

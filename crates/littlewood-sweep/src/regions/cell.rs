@@ -7,6 +7,9 @@ use super::{Ask, Lattice, Place};
 /// A corner of the lattice, or the cell to the right of it and above it.
 type Corner = [usize; 2];
 
+/// Crossings of a side at most.
+const CROSSINGS: usize = 3;
+
 /// A side of a cell by its first corner and the axis along which it runs.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Side {
@@ -68,11 +71,11 @@ const fn around([x, y]: Corner) -> [(Side, bool); 4] {
     ]
 }
 
-/// The one place at which the key changes along a side: others between its ends are not seen.
+/// A place at which the key changes along a side.
 #[derive(Clone, Copy)]
 struct Crossing {
     node: usize,
-    /// The keys of the ends of the side.
+    /// The keys before it and after it.
     keys: [u64; 2],
 }
 
@@ -90,7 +93,7 @@ pub(super) struct Stop {
     pub(super) key: u64,
 }
 
-/// A side along which it is looked for where its first key ends.
+/// A part of a side along which it is looked for where its first key ends.
 struct Search {
     side: Side,
     range: [f64; 2],
@@ -107,12 +110,14 @@ impl Search {
 pub(super) struct Crossings<'a> {
     lattice: &'a Lattice,
     pub(super) nodes: Vec<Place>,
-    crossings: BTreeMap<Side, Crossing>,
+    /// Of each side as its coordinate grows.
+    crossings: BTreeMap<Side, Vec<Crossing>>,
 }
 
 impl<'a> Crossings<'a> {
-    /// Finds them by bisection of all sides at once, each to a width. Once nothing is answered any
-    /// more, keys change in the middle of what is left.
+    /// Finds them by bisection of all sides at once, each to a width. Where that comes upon a third
+    /// key, as of a narrow band between two regions, both its ends are looked for. Once nothing is
+    /// answered any more, keys change in the middle of what is left.
     pub(super) fn find<E>(
         lattice: &'a Lattice,
         width: f64,
@@ -132,6 +137,7 @@ impl<'a> Crossings<'a> {
             })
         };
         let mut searches: Vec<Search> = Side::all(lattice.cells()).filter_map(differs).collect();
+        let mut counts: BTreeMap<Side, usize> = BTreeMap::new();
         loop {
             let mut open: Vec<&mut Search> = searches
                 .iter_mut()
@@ -145,33 +151,52 @@ impl<'a> Crossings<'a> {
                 break;
             }
             let Some(keys) = ask(&middles)? else { break };
+            let mut more = Vec::new();
             for (search, key) in open.iter_mut().zip(keys) {
-                let end = usize::from(key != search.keys[0]);
-                search.range[end] = search.middle();
+                let (side, middle, [first, last]) = (search.side, search.middle(), search.keys);
+                if key != first && key != last {
+                    let count = counts.entry(side).or_insert(1);
+                    if *count < CROSSINGS {
+                        *count += 1;
+                        more.push(Search {
+                            side,
+                            range: [middle, search.range[1]],
+                            keys: [key, last],
+                        });
+                        search.keys[1] = key;
+                    }
+                }
+                search.range[usize::from(key != first)] = middle;
             }
+            searches.extend(more);
         }
+        searches.sort_by(|a, b| (a.side.cmp(&b.side)).then(a.range[0].total_cmp(&b.range[0])));
         let nodes = searches
             .iter()
             .map(|search| place(search.side, search.middle()))
             .collect();
-        let crossings = searches.iter().enumerate().map(|(node, search)| {
-            let keys = search.keys;
-            (search.side, Crossing { node, keys })
-        });
+        let mut crossings: BTreeMap<Side, Vec<Crossing>> = BTreeMap::new();
+        for (node, Search { side, keys, .. }) in searches.into_iter().enumerate() {
+            let found = crossings.entry(side).or_default();
+            found.push(Crossing { node, keys });
+        }
         Ok(Self {
             lattice,
             nodes,
-            crossings: crossings.collect(),
+            crossings,
         })
     }
 
-    /// The crossing of a side, with the keys before it and after it.
-    fn on(&self, (side, is_back): (Side, bool)) -> Option<Crossing> {
-        let mut crossing = *self.crossings.get(&side)?;
+    /// The crossings of a side in the order of a walk around a cell.
+    fn on(&self, (side, is_back): (Side, bool)) -> Vec<Crossing> {
+        let mut found = self.crossings.get(&side).cloned().unwrap_or_default();
         if is_back {
-            crossing.keys.reverse();
+            found.reverse();
+            found
+                .iter_mut()
+                .for_each(|crossing| crossing.keys.reverse());
         }
-        Some(crossing)
+        found
     }
 
     fn add_node(&mut self, place: Place) -> usize {
@@ -179,28 +204,32 @@ impl<'a> Crossings<'a> {
         self.nodes.len() - 1
     }
 
-    /// The boundaries in all cells. Where more than one crosses a cell, they meet in its middle.
+    /// The boundaries in all cells: each from where a region begins on the walk around the cell to
+    /// where it ends. Those of three regions and more meet in the middle.
     pub(super) fn segments(&mut self) -> Vec<Segment> {
         let cells = self.lattice.cells();
         let sides = self.crossings.keys();
         let crossed: BTreeSet<Corner> = sides.flat_map(|side| side.beside(cells)).collect();
         let mut segments = Vec::new();
         for cell in crossed {
-            let found: Vec<Crossing> = around(cell)
-                .into_iter()
-                .filter_map(|side| self.on(side))
-                .collect();
-            if let [first, second] = found[..] {
-                // The second key is to the left on the way back to the first crossing.
-                segments.push(Segment {
-                    nodes: [second.node, first.node],
-                    sides: [first.keys[1], first.keys[0]],
-                });
+            let mut open: Vec<Crossing> = Vec::new();
+            for crossing in around(cell).into_iter().flat_map(|side| self.on(side)) {
+                let [before, after] = crossing.keys;
+                match open.pop_if(|first| first.keys == [after, before]) {
+                    // The key between them is to the left on the way back to the first.
+                    Some(first) => segments.push(Segment {
+                        nodes: [crossing.node, first.node],
+                        sides: [before, after],
+                    }),
+                    None => open.push(crossing),
+                }
+            }
+            if open.is_empty() {
                 continue;
             }
             let [low, high] = [cell, cell.map(|k| k + 1)].map(|corner| self.lattice.place(corner));
             let hub = self.add_node([0, 1].map(|k| 0.5 * (low[k] + high[k])));
-            segments.extend(found.into_iter().map(|Crossing { node, keys }| Segment {
+            segments.extend(open.into_iter().map(|Crossing { node, keys }| Segment {
                 nodes: [hub, node],
                 sides: [keys[1], keys[0]],
             }));
@@ -226,6 +255,7 @@ impl<'a> Crossings<'a> {
             }
             stops.extend(
                 self.on(one)
+                    .into_iter()
                     .map(|Crossing { node, keys }| Stop { node, key: keys[1] }),
             );
         }

@@ -1,8 +1,8 @@
 //! The regions of a plane: areas whose places have one key each, bounded by curves.
 //!
 //! Where neighbours on a lattice differ, the place between them at which the key changes is found by
-//! bisection. In each cell of the lattice boundaries run straight from side to side; where three or
-//! four sides are crossed they meet in the middle.
+//! bisection. In each cell of the lattice boundaries run straight from side to side; those of three
+//! regions meet in the middle.
 
 mod cell;
 mod chain;
@@ -12,6 +12,9 @@ use littlewood::{Limits, ParameterError, Summary};
 
 use crate::compute::Workers;
 use crate::grid::Grid;
+
+/// Motions that [`Regions::of_grid`] follows for a point of its grid, at most.
+pub const FOR_A_POINT: usize = 3;
 
 /// Points of a grid that are followed before somebody is told.
 const AT_ONCE: usize = 512;
@@ -94,8 +97,10 @@ impl Regions {
     }
 
     /// The regions of the plane of a grid by keys of the summaries of its motions, each of which is
-    /// followed to the limits, and boundaries are located to a width. `told` is told of the motions that have been followed. The result
-    /// does not depend on the number of threads.
+    /// followed to the limits. Boundaries are located to a width, or as closely as
+    /// [`FOR_A_POINT`] motions for a point of the grid allow, those of the grid among them. `told`
+    /// is told of the motions that have been followed. The result does not depend on the number of
+    /// threads.
     ///
     /// # Errors
     /// The first value that has no physical meaning by itself.
@@ -128,7 +133,18 @@ impl Regions {
             keys.extend(ask(some)?.unwrap_or_default());
         }
         lattice.keys = keys;
-        Self::find(&lattice, width, &mut ask)
+        let mut left = (FOR_A_POINT - 1) * lattice.keys.len();
+        Self::find(
+            &lattice,
+            width,
+            &mut |places| match left.checked_sub(places.len()) {
+                None => Ok(None),
+                Some(rest) => {
+                    left = rest;
+                    ask(places)
+                }
+            },
+        )
     }
 }
 
