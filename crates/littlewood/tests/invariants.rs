@@ -12,7 +12,8 @@ use crate::consistent_modes::Sizes;
 use littlewood::modes::PhaseSolution;
 use littlewood::theory::{Body, GlidingIntegrals, SlidingLaw};
 use littlewood::{
-    Cause, Hoop, Mode, Outcome, Phase, Sample, SlipDirection, Start, State, Trajectory,
+    Cause, Hoop, HoopParameters, Mode, Outcome, Phase, Sample, SlipDirection, Start, State,
+    Trajectory,
 };
 use proptest::prelude::*;
 
@@ -394,5 +395,39 @@ proptest! {
             }
             energy = phase.last().map_or(first.energy, |last| last.energy);
         }
+    }
+}
+
+/// With μs = μk a slide begins with η″ = 0, which a light hoop knows to the last digit of the angle
+/// times m h/Î. Here that is up to some 1e9, which turned into a change of the momentum for a step.
+#[test]
+fn light_hoops_that_slip_on_the_static_limit_keep_their_momentum() {
+    let light = |mass_ratio, offset, mu| {
+        HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(0.0)
+            .with_friction(mu, mu)
+    };
+    let motions = [
+        (
+            light(
+                2.7764703158190347,
+                7.111625538737656e-10,
+                3.6215326156655064e-12,
+            ),
+            Start::at(-1.466122050957634, 3.670072410278368),
+        ),
+        (
+            light(
+                2.1703871948877839e-10,
+                7.188583912231865e-9,
+                9.388282287586042e-13,
+            ),
+            Start::at(2.9135390884485517, -2.597055419405061),
+        ),
+    ];
+    for (parameters, start) in motions {
+        let motion = simulate(&Hoop::new(parameters).expect("a hoop"), start);
+        check_laws(&motion).expect("the laws of each phase");
     }
 }
