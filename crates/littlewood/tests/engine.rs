@@ -1274,7 +1274,6 @@ proptest! {
     ) {
         let starts: Vec<Start> = starts
             .into_iter()
-            .filter(|(start, ..)| start.slip != 0.0)
             .map(|(start, power, up)| {
                 // Rounds to the least double.
                 let rate = libm::exp10(power).max(5e-324);
