@@ -7,8 +7,8 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::common::{
-    any_slope, engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start, tilted,
-    whole_range,
+    any_slope, engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, slope, start,
+    tilted, whole_range,
 };
 use littlewood::many::Fallback;
 use littlewood::modes::SlideLimit;
@@ -754,6 +754,37 @@ fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
     }
 }
 
+/// A slide is endless from its third turning point on, here one period of 19.7 after the first. One
+/// is ahead at once where θ′ is uphill, however small it is, and θ′² or its product with a later θ′
+/// underflows. From rest, and downhill, the limit of time comes first.
+#[test]
+fn a_turning_point_next_to_the_start_is_counted_by_all() {
+    let hoop = HoopParameters::thin(0.173_674_061_633_978_2)
+        .with_offset(0.610_362_856_055_145_8)
+        .with_inertia(1.0)
+        .with_friction(0.211_000_311_017_209_5, 0.037_000_904_249_021_055)
+        .with_slope(1.237_833_750_185_040_5);
+    let hoop = Hoop::new(hoop).expect("a hoop");
+    let limits = Limits::until(20.0);
+    let least = f64::from_bits(1);
+    for size in [0.0, least, 1e-300, 1e-160, 1e-20, 1e-10] {
+        for rate in [size, -size] {
+            let start = Start::at(4.992_112_780_877_53, rate).with_slip(-1.932_609_513_395_843_9);
+            let expected = if rate > 0.0 {
+                OutcomeKind::SlidesForever
+            } else {
+                OutcomeKind::TimeLimit
+            };
+            let motion = hoop.simulate(start, limits).expect("a valid start");
+            assert_eq!(motion.summary().outcome, expected, "{rate:e}");
+            for engine in engines(&hoop) {
+                let ours = engine.summary(start, limits).expect("a valid start");
+                assert_eq!(codes(&ours), codes(&motion.summary()), "{rate:e}");
+            }
+        }
+    }
+}
+
 /// A motion on a smooth plane repeats itself. The engine skips its periods, and comes to the limits
 /// of time, transitions and slides where the simulation does.
 #[test]
@@ -1231,6 +1262,25 @@ proptest! {
             })
             .collect();
         agree(&hoop, &starts)?;
+    }
+
+    /// Whether a turning point is ahead is told by θ′, also where its square underflows: an endless
+    /// slide is known for one from the third on.
+    #[test]
+    fn slides_next_to_turning_points_have_the_outcomes_of_the_simulation(
+        hoop in moderate_hoop(), slope in prop_oneof![1 => Just(0.0), 3 => slope()],
+        starts in prop::collection::vec((start(), -324.0..-3.0_f64, any::<bool>()), 6),
+        until in 0.5..2.5_f64,
+    ) {
+        let starts: Vec<Start> = starts
+            .into_iter()
+            .map(|(start, power, up)| {
+                // Rounds to the least double.
+                let rate = libm::exp10(power).max(5e-324);
+                Start::at(start.theta, if up { rate } else { -rate }).with_slip(start.slip)
+            })
+            .collect();
+        agree_within(libm::exp10(until), &tilted(&hoop, slope), &starts)?;
     }
 
     /// Without friction a motion either lifts off or is proved to repeat itself.

@@ -160,6 +160,9 @@ struct TurningEntry<'a> {
     frame: MotionFrame<'a>,
     start: SlidePoint,
     segment: TurningSegment,
+    /// Whether the slide comes to the turning point. The coordinate does not tell: it is 0 where
+    /// θ′² underflows.
+    is_ahead: bool,
 }
 
 struct Slide<'a> {
@@ -403,6 +406,7 @@ impl<'a> Slide<'a> {
             frame,
             start,
             segment,
+            is_ahead,
         } = entry;
         // The top may lie on the way towards the turning point, or on the way back.
         let sine = |y: f64| segment.angle(y).sin;
@@ -417,7 +421,7 @@ impl<'a> Slide<'a> {
         let found = find_event_on_turning(&context, start, stays)?;
         let result = self.cut(&context, start, found);
         let point = result.point;
-        if start.z < 0.0 && point.z > 0.0 {
+        if *is_ahead && point.z > 0.0 {
             self.turning_points += 1.0;
         }
         self.frame = MotionFrame {
@@ -788,5 +792,6 @@ fn turning_segment_near<'a>(
         },
         start: SlidePoint { z, angle, ..*point },
         segment,
+        is_ahead,
     })
 }

@@ -179,7 +179,9 @@ struct StepEnds {
 
 impl StepEnds {
     fn turns_back(&self) -> bool {
-        self.next.place.rate * self.here.place.rate < 0.0
+        let [here, next] = [self.here.place.rate, self.next.place.rate];
+        // The product of the two may underflow.
+        (here < 0.0 && next > 0.0) || (here > 0.0 && next < 0.0)
     }
 }
 
@@ -530,7 +532,7 @@ impl Sliding {
         if sign * self.law.mean_slip_loss() > 0.0 {
             return None;
         }
-        if next.place.rate * here.place.rate < 0.0 {
+        if ends.turns_back() {
             let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
             self.turnings
                 .push((here.elapsed + at, value(&series.theta, at)));
