@@ -49,7 +49,8 @@ def conditions():
         "model name\\s*: (.*)", information.read_text() if information.exists() else ""
     )
     processor = names[0] if names else platform.processor() or platform.machine()
-    return f"Version {version} ({commit}), {processor}, {os.cpu_count()} cores, {datetime.now(UTC).date()}."
+    today = datetime.now(UTC).date()
+    return f"Version {version} ({commit}), {processor}, {os.cpu_count()} cores, {today}."
 
 
 def times(ratio):
@@ -73,14 +74,17 @@ def write_compare(is_quick):
         place(
             README,
             "speed",
-            f"A summary of the motion of Figure 3 takes {compare.duration(table.median(figure_3, 'Engine'))}; "
-            f"heyoka, the fastest general integrator that we measured, takes {ratio(figure_3, heyoka)} times as long, "
-            f"and {ratio(plane, heyoka_map)} times for a map of outcomes ([benchmarks](evidence/bench/README.md)).",
+            "A summary of the motion of Figure 3 takes "
+            f"{compare.duration(table.median(figure_3, 'Engine'))}; heyoka, the fastest general "
+            f"integrator that we measured, takes {ratio(figure_3, heyoka)} times as long, and "
+            f"{ratio(plane, heyoka_map)} times for a map of outcomes "
+            "([benchmarks](evidence/bench/README.md)).",
         )
     place(
         ENGINE,
         "speed",
-        f"{ratio(figure_3, 'Hoop::simulate')} times for Figure 3, and {ratio(plane, 'Hoop::simulate')} times "
+        f"{ratio(figure_3, 'Hoop::simulate')} times for Figure 3, and "
+        f"{ratio(plane, 'Hoop::simulate')} times "
         "for a map of the plane of Figure 2 to τ = 50 ([benchmarks](../evidence/bench/README.md)).",
     )
 
