@@ -278,7 +278,7 @@ class Row:
 
 def line(record):
     cells = [
-        record["regime"],
+        record["regime"].replace("|", "\\|"),
         f"{record['cells']} × {record['cells']}",
         significant(record["starts_per_second"]),
         f"1/{significant(1.0 / record['of_the_flagship'])}",
