@@ -25,7 +25,7 @@ BENCH = ROOT / "evidence/bench/README.md"
 
 
 def place(page, name, text):
-    """Puts a text between the markers of a name, each on a line of its own."""
+    """Replaces the text between the two markers of a name, which stand on lines of their own."""
     whole = page.read_text(encoding="utf-8")
     before, start, rest = whole.partition(f"<!-- {name} -->\n")
     _, end, after = rest.partition(f"<!-- /{name} -->")

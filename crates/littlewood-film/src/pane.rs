@@ -451,7 +451,7 @@ fn pieces(with: With, samples: &[Sample]) -> Vec<Piece> {
 
 /// The parts of the energy of the samples, each with its time.
 fn energies(ledger: &EnergyLedger, samples: &[Sample]) -> Vec<(f64, EnergyParts)> {
-    let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
+    let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample)?));
     samples.iter().filter_map(parts).collect()
 }
 

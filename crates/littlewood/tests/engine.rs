@@ -785,8 +785,8 @@ fn a_turning_point_next_to_the_start_is_counted_by_all() {
     }
 }
 
-/// A motion on a smooth plane repeats itself. The engine skips its periods, and comes to the limits
-/// of time, transitions and slides where the simulation does.
+/// Motions on a smooth plane are periodic. The engine skips whole periods, and still stops at the
+/// same limit of time, transitions or slides as the simulation.
 #[test]
 fn periods_on_a_smooth_plane_end_at_the_limits_of_the_simulation() {
     for (mass_ratio, inertia) in [(1.0, 1.0), (0.3, 0.1), (3.0, 0.5)] {
