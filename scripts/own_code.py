@@ -22,8 +22,7 @@ TOLERANCE = 0.1
 PARTS = [
     (
         "frames, ticks, keys, labels, hatches, perspective",
-        "crates/littlewood-draw/src/*.rs -font.rs -letters.rs -svg.rs -pdf.rs -raster.rs -csv.rs "
-        "-caption.rs",
+        "crates/littlewood-draw/src/*.rs -font.rs -letters.rs -svg.rs -pdf.rs -raster.rs -csv.rs",
         {"plotters": 23},
         "see *No plotting library*",
     ),

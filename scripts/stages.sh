@@ -154,18 +154,19 @@ stage_instructions() {
   cargo run --quiet --release --locked -p littlewood-digest --example instructions -- "${1:-check}"
 }
 
-about properties 'property tests and fuzzers for longer, with another PROPTEST_RNG_SEED each time, which a failure prints'
+about properties 'property tests and fuzzers for longer (PROPTEST_CASES, LITTLEWOOD_FUZZ_SECONDS), with another PROPTEST_RNG_SEED each time, which a failure prints'
 stage_properties() {
   export PROPTEST_RNG_SEED="${PROPTEST_RNG_SEED:-$(date +%s)}" PROPTEST_CASES="${PROPTEST_CASES:-4096}"
   echo "PROPTEST_RNG_SEED=$PROPTEST_RNG_SEED"
   cargo test --release --package littlewood --package littlewood-sweep --package littlewood-film --locked --no-fail-fast -- --include-ignored
-  LITTLEWOOD_FUZZ_SECONDS=900 cargo test --release --package littlewood-cli --features full --locked fuzz:: -- --include-ignored --nocapture
+  LITTLEWOOD_FUZZ_SECONDS="${LITTLEWOOD_FUZZ_SECONDS:-900}" cargo test --release --package littlewood-cli --features full --locked fuzz:: -- --include-ignored --nocapture
 }
 
 about coverage 'of the core by its own tests: target/coverage/html, and at least 97 % of its lines. Needs cargo-llvm-cov and llvm-tools'
 stage_coverage() {
   same_cases
-  cargo llvm-cov --package littlewood --features serde --locked --no-report
+  # It builds no examples, which a test runs: that one is left to the stage `rust`.
+  cargo llvm-cov --package littlewood --features serde --locked --no-report -- --skip examples::
   cargo llvm-cov report --package littlewood --html --output-dir "$target/coverage"
   cargo llvm-cov report --package littlewood --summary-only --fail-under-lines 97
 }
@@ -207,10 +208,4 @@ about workflows 'workflows and scripts. Needs actionlint and shellcheck'
 stage_workflows() {
   git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck --external-sources
   actionlint
-}
-
-about captions 'LaTeX sets the captions of all figures, of named and of unusual hoops. Needs pdflatex (on Debian texlive-latex-base)'
-stage_captions() {
-  built
-  scripts/captions.sh "$LITTLEWOOD_BIN"
 }

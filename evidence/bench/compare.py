@@ -114,7 +114,7 @@ class Table:
     """Measurements by benchmark and tool, over the rounds."""
 
     def __init__(self):
-        self.rows, self.missing = {}, []
+        self.rows, self.missing, self.conditions = {}, [], ""
 
     def add(self, section, answers):
         for answer in answers:
@@ -192,7 +192,6 @@ def trajectory_lines(table):
     notes = {
         "Engine": "prepared; includes the landing; returns slip and lift-off",
         "Hoop::simulate": "nothing prepared; includes the landing and the trajectory itself",
-        "Engine::new": "preparation, once for each hoop and friction",
     }
     for name, answers in rows.items():
         found = [
@@ -229,7 +228,7 @@ def map_lines(table):
             error = ""
             if name != "Engine":
                 expected = ours[-1]["outcomes"]
-                if last["pick"]:
+                if last.get("pick"):
                     expected = "".join(
                         expected[i * cells + j] for i in last["pick"] for j in last["pick"]
                     )
@@ -271,22 +270,22 @@ def thread_lines(table):
             )
 
 
-def arguments():
+def arguments(words=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument(
         "--rounds", type=int, default=5, metavar="N", help="rounds of every benchmark (default 5)"
     )
     parser.add_argument("--quick", action="store_true", help="fewer cells: 50 × 50 and 200 × 200")
     parser.add_argument("--only", choices=BENCHMARKS, help="only this benchmark")
-    options = parser.parse_args()
+    options = parser.parse_args(words)
     if options.rounds < 1:
         parser.error("at least one round")
     options.only = [options.only] if options.only else BENCHMARKS
     return options
 
 
-def main():
-    options = arguments()
+def compared(options):
+    """The measurements of this project and of the peers that there are."""
     ours = cargo_peer("ours", "ours", "ours")
     reason = ours.start()
     if reason:
@@ -308,18 +307,26 @@ def main():
     measure(table, peers, options)
     for peer in started:
         peer.stop()
-    print("| benchmark | tool | median | over the rounds | to ours | error | remarks |")
-    print("|---|---|---|---|---|---|---|")
-    for lines in (trajectory_lines, map_lines, rolling_lines, thread_lines):
-        for line in lines(table) if table.rows else ():
-            print(line)
-    for name, reason in table.missing:
-        print(f"| – | {name} | missing | | | | {reason} |")
-    print(
-        f"\n{options.rounds} rounds, {os.cpu_count()} cores; load before the first {before:.2f}",
-        end="",
+    after = os.getloadavg()[0] if hasattr(os, "getloadavg") else float("nan")
+    table.conditions = (
+        f"Rounds: {options.rounds}; load before the first {before:.2f}, after the last {after:.2f}."
     )
-    print(f", after the last {os.getloadavg()[0]:.2f}." if hasattr(os, "getloadavg") else ".")
+    return table
+
+
+def shown(table):
+    """The table in Markdown."""
+    yield "| benchmark | tool | median | over the rounds | to ours | error | remarks |"
+    yield "|---|---|---|---|---|---|---|"
+    for lines in (trajectory_lines, map_lines, rolling_lines, thread_lines):
+        yield from lines(table) if table.rows else ()
+    for name, reason in table.missing:
+        yield f"| – | {name} | missing | | | | {reason} |"
+    yield from ("", table.conditions)
+
+
+def main():
+    print("\n".join(shown(compared(arguments()))))
 
 
 if __name__ == "__main__":

@@ -112,6 +112,10 @@ REGIMES = [
     Regime("restitution 0", {"restitution": 0.0}, has_peer=False),
     Regime("restitution 0.5", {"restitution": 0.5}, has_peer=False),
     Regime("restitution 1", {"restitution": 1.0}, has_peer=False),
+    *(
+        Regime(f"slope of {slope}", {"slope": slope}, has_peer=False)
+        for slope in (0.001, 0.01, 0.1, 1.0)
+    ),
 ]
 
 
@@ -274,7 +278,7 @@ class Row:
 
 def line(record):
     cells = [
-        record["regime"],
+        record["regime"].replace("|", "\\|"),
         f"{record['cells']} × {record['cells']}",
         significant(record["starts_per_second"]),
         f"1/{significant(1.0 / record['of_the_flagship'])}",
@@ -343,7 +347,7 @@ def census(program, count, seed, seconds):
     )
 
 
-def arguments():
+def arguments(words=None):
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument(
         "--rounds", type=int, default=3, metavar="N", help="rounds of every regime (default 3)"
@@ -366,7 +370,7 @@ def arguments():
     parser.add_argument(
         "--json", type=Path, metavar="FILE", help="write the numbers to this file, too"
     )
-    return parser.parse_args()
+    return parser.parse_args(words)
 
 
 def built():
@@ -391,11 +395,9 @@ def built():
     return Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "littlewood"
 
 
-def main():
-    options = arguments()
+def measured(options):
+    """What is known of each regime."""
     program = built()
-    if options.random is not None:
-        return census(program, options.random, options.seed, options.seconds)
     install()
     peers = [name for name in ("heyoka", "SciPy") if why_missing(name) is None]
     rows = [
@@ -409,20 +411,32 @@ def main():
             row.measure(program, peers, options.seconds)
             print(row.rates, row.peer, row.counts, file=sys.stderr, flush=True)
     flagship = rows[0].rates["end"]
-    records = [row.record(flagship) for row in rows]
+    return [row.record(flagship) for row in rows]
+
+
+def shown(records, rounds):
+    """The table in Markdown."""
     peer = next((record["peer"] for record in records if "peer" in record), "no peer")
-    print(
+    yield (
         f"| regime | grid | starts/s | of the flagship | starts/s to τ = 50 | {peer} | ratio | at "
         "once, later, in contact, else |"
     )
-    print("|---|---|---|---|---|---|---|---|")
-    for record in records:
-        print(line(record))
+    yield "|---|---|---|---|---|---|---|---|"
+    yield from map(line, records)
     load = f", load {os.getloadavg()[0]:.2f}" if hasattr(os, "getloadavg") else ""
-    print(
-        f"\nThe fastest of {options.rounds} rounds, one core of {os.cpu_count()}{load}; each start "
-        "to the end of its motion unless said."
+    yield ""
+    yield (
+        f"Rounds: {rounds}, of which the fastest counts; one core of {os.cpu_count()}{load}; each "
+        "start to the end of its motion unless said."
     )
+
+
+def main():
+    options = arguments()
+    if options.random is not None:
+        return census(built(), options.random, options.seed, options.seconds)
+    records = measured(options)
+    print("\n".join(shown(records, options.rounds)))
     if options.json:
         options.json.write_text(json.dumps(records, indent=2) + "\n")
 

@@ -1,4 +1,4 @@
-"""Flights, impacts and bounces of the loaded hoop, to 25 digits.
+"""Impacts, flights and bounces of the loaded hoop, to 25 digits.
 
     python3 -m pip install mpmath gmpy2        (gmpy2 only makes it faster)
     python3 bounces.py                         writes bounces.json beside this file
@@ -177,6 +177,64 @@ class Flight:
         return t, (body.theta, body.spin, u, w), course
 
 
+def impacts():
+    """Impacts at velocities of all sizes of a double, and of a start."""
+    draw = random.Random(51)
+
+    def size(low, high):
+        return 10 ** draw.uniform(low, high)
+
+    def velocity(like=None):
+        way = draw.choice((-1, 1))
+        if like and draw.random() < 0.7:
+            return way * like * size(-1, 1)
+        return way * max(5e-324, min(1e6, size(-323.3, 6)))
+
+    found = []
+    while len(found) < 400:
+        mu_s = size(-1, 0.7)
+        mu_k = mu_s * draw.choice((1, draw.random()))
+        light = draw.choice((0.01, 1))
+        hoop = (draw.uniform(0, light), draw.uniform(0.2, 1), draw.uniform(0.1, 1) * light)
+        hoop += (mu_s, mu_k)
+        theta, closing = draw.uniform(-3.1, 3.1), abs(velocity())
+        slip, rate = draw.choice((0.0, velocity(closing), velocity(closing))), velocity(closing)
+        b, e = Hoop(*hoop), draw.choice((0.0, 1.0, draw.random()))
+        law = draw.choice(("energetic", "poisson", "newton"))
+        # Velocities of 1e6 have digits down to 5e-324.
+        with mp.workdps(480):
+            body = Body(b, mpf(theta), mpf(0), mpf(0), mpf(0))
+            a, slope = rates(body, mpf(1))[0] - rates(body, mpf(0))[0], rates(body, mpf(0))[0]
+            way = mp.sign(slip)
+            slowing, k1 = -way * rates(body, -mu_k * way)[0], rates(body, -mu_k * way)[1]
+            # Where rounding errors are not magnified.
+            if min(abs(abs(slope) - mu_s * a), abs(k1), abs(slowing) if slip else 1) < 0.02:
+                continue
+            body.spin = mpf(rate)
+            body.vx, body.vy = slip + body.spin * body.py, -mpf(closing) - body.spin * body.px
+            after, course = impact(body, mpf(e), law)
+            u, w = after.contact()
+            normal = (after.vy - body.vy) * b.m
+            numbers = (
+                after.spin,
+                u if course[-1] else mpf(0),
+                w,
+                normal,
+                (after.vx - body.vx) * b.m,
+            )
+            found.append(
+                {
+                    "hoop": hoop,
+                    "restitution": e,
+                    "law": law,
+                    "start": (theta, rate, slip, -closing),
+                    "course": course,
+                    "end": [mp.nstr(number, DIGITS) for number in numbers],
+                }
+            )
+    return found
+
+
 def text(x):
     return mp.nstr(mpf(x) if abs(x) > mpf(10) ** -34 else mpf(0), DIGITS)
 
@@ -313,7 +371,7 @@ def bounces():
 
 if __name__ == "__main__":
     path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bounces.json")
-    data = {"flights": flights(), "bounces": bounces()}
+    data = {"flights": flights(), "bounces": bounces(), "impacts": impacts()}
     with open(path, "w") as f:
         json.dump(data, f, indent=1)
         f.write("\n")

@@ -42,6 +42,7 @@ class _Impact(TypedDict):
     normal_work: float
     friction_work: float
     energy_lost: float
+    gains_energy: bool
 
 class _Transition(TypedDict):
     before: _State

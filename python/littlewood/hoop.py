@@ -257,7 +257,7 @@ class Hoop:
             Rate ≥ 0 at which the gap under the rim opens, √(gR): that of a hoop thrown from the
             plane.
         x : float, optional
-            Horizontal position of the geometric centre, R.
+            Position of the geometric centre along the plane, R.
         time : float, optional
             Time τ of the start, √(R/g).
         until : float, optional
@@ -312,7 +312,7 @@ class Hoop:
         gap_rate_m_per_s : float, optional
             Rate ≥ 0 at which the gap under the rim opens, m/s.
         x_m : float, optional
-            Horizontal position of the geometric centre, m.
+            Position of the geometric centre along the plane, m.
         time_s, until_s : float, optional
             Time of the start, and time at which to stop, s.
         max_transitions, max_slides, proof : optional

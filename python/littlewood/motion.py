@@ -43,7 +43,7 @@ class State:
     slip : float
         Slip velocity η′ of the contact point (2.7), √(gR).
     x : float
-        Horizontal position of the geometric centre, R.
+        Position of the geometric centre along the plane, R.
     """
 
     time: float
@@ -160,6 +160,8 @@ class Impact:
         Works of the two parts of the impulse, m2 g R.
     energy_lost : float
         Energy lost, m2 g R. Negative where Newton's law gains energy.
+    gains_energy : bool
+        Whether the law has gained energy, by more than rounding, which only Newton's can.
     """
 
     case: str
@@ -169,16 +171,12 @@ class Impact:
     normal_work: float
     friction_work: float
     energy_lost: float
+    gains_energy: bool
 
     @property
     def label(self) -> str:
         """The case in words."""
         return IMPACT_LABELS[self.case]
-
-    @property
-    def gains_energy(self) -> bool:
-        """Whether the law has gained energy, which only Newton's can."""
-        return self.energy_lost < 0.0
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,7 @@ class Samples(Mapping[str, Any]):
     normal, friction : ndarray
         Contact forces N and F, m2 g.
     gap, gap_rate : ndarray
-        Height of the lowest point of the rim over the plane, R, and its rate, √(gR).
+        Distance of the rim from the plane, R, and its rate, √(gR).
     energy : ndarray
         Total energy (2.8), m2 g R.
     centre_y, mass_centre_x, mass_centre_y, particle_x, particle_y : ndarray

@@ -578,6 +578,7 @@ def _impact(given: _core._Impact) -> Impact:
         normal_work=given["normal_work"],
         friction_work=given["friction_work"],
         energy_lost=given["energy_lost"],
+        gains_energy=given["gains_energy"],
     )
 
 

@@ -273,7 +273,5 @@ fn file(
         FigureFormat::Pdf => ("pdf", figure.pdf()),
         FigureFormat::Csv => ("csv", figure.csv().into_bytes()),
         FigureFormat::Txt => ("txt", figure.caption_txt().into_bytes()),
-        FigureFormat::Md => ("md", figure.caption_md().into_bytes()),
-        FigureFormat::Tex => ("tex", figure.caption_tex().into_bytes()),
     })
 }

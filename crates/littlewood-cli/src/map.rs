@@ -89,9 +89,6 @@ fn picture(args: &MapArgs, grid: &Grid, limits: Limits, shade: Shade) -> Result<
     if args.curves {
         picture = picture.with_curves()?;
     }
-    if args.contours {
-        picture = picture.with_contours()?;
-    }
     Ok(picture)
 }
 

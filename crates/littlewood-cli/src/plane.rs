@@ -74,7 +74,7 @@ impl<'a> Plane<'a> {
             for (column, values) in &columns {
                 row.value(column.column_type(), values.get(place))?;
             }
-            row.word(class)?;
+            row.word(class.name());
             for (column, values) in &derivatives {
                 row.value(column.column_type(), values.get(place))?;
             }
@@ -97,21 +97,20 @@ impl Row {
     fn value(&mut self, column: ColumnType, value: SummaryValue) -> io::Result<()> {
         match (column, value) {
             (ColumnType::Outcome, SummaryValue::U8(code)) => match OutcomeKind::try_from(code) {
-                Ok(outcome) => self.word(outcome),
-                Err(unknown) => self.word(unknown),
+                Ok(outcome) => self.word(outcome.name()),
+                Err(unknown) => return self.display(unknown),
             },
             (ColumnType::Sequence, SummaryValue::U64(bits)) => {
-                self.word(PhaseSequence::from_bits(bits))
+                return self.display(PhaseSequence::from_bits(bits));
             }
-            (ColumnType::Flag, SummaryValue::U8(flag)) => self.word(flag != 0),
-            (_, SummaryValue::U8(count)) => self.word(count),
-            (_, SummaryValue::U32(count)) => self.word(count),
-            (_, SummaryValue::U64(count)) => self.word(count),
-            (_, SummaryValue::F64(value)) => {
-                self.real(value);
-                Ok(())
-            }
+            (ColumnType::Flag, SummaryValue::U8(0)) => self.word("false"),
+            (ColumnType::Flag, SummaryValue::U8(_)) => self.word("true"),
+            (_, SummaryValue::U8(count)) => return self.display(count),
+            (_, SummaryValue::U32(count)) => return self.display(count),
+            (_, SummaryValue::U64(count)) => return self.display(count),
+            (_, SummaryValue::F64(value)) => self.real(value),
         }
+        Ok(())
     }
 
     /// A number, which is an empty cell where it has no value.
@@ -123,8 +122,13 @@ impl Row {
         self.text.push(b',');
     }
 
-    fn word(&mut self, word: impl Display) -> io::Result<()> {
-        write!(self.text, "{word},")
+    fn word(&mut self, word: &str) {
+        self.text.extend_from_slice(word.as_bytes());
+        self.text.push(b',');
+    }
+
+    fn display(&mut self, value: impl Display) -> io::Result<()> {
+        write!(self.text, "{value},")
     }
 
     /// Writes the row, without the last comma, and empties it.

@@ -12,10 +12,7 @@ use indicatif::{
 };
 
 /// Work that takes no longer than this has no bar.
-const SHORT: Duration = Duration::from_secs(2);
-
-/// How soon a bar can show that work will take longer.
-const SOON: Duration = Duration::from_millis(500);
+const SHORT: Duration = Duration::from_secs(1);
 
 /// How often a bar is drawn where nothing moves it.
 const TICK: Duration = Duration::from_millis(500);
@@ -36,8 +33,7 @@ struct State {
     begun: Instant,
     of: &'static str,
     unit: &'static str,
-    first: Count,
-    now: Count,
+    total: u64,
     bar: ProgressBar,
     is_over: bool,
 }
@@ -69,11 +65,10 @@ impl Bar {
         let Some(mut state) = self.state.as_ref().and_then(|state| state.try_lock().ok()) else {
             return;
         };
-        if (state.unit, state.first.total) != (unit, count.total) {
+        if (state.unit, state.total) != (unit, count.total) {
             clear();
             *state = State::new(unit, count);
         }
-        state.now = count;
         if state.of != of {
             state.of = of;
             state.bar.set_message(of);
@@ -97,8 +92,7 @@ impl State {
             begun: Instant::now(),
             of: "",
             unit,
-            first,
-            now: first,
+            total: first.total,
             bar: hidden_bar(unit, first),
             is_over: false,
         }
@@ -123,7 +117,7 @@ impl State {
     }
 
     fn show_if_long(&self) {
-        if self.bar.is_hidden() && is_long(self.begun.elapsed(), self.first, self.now) {
+        if self.bar.is_hidden() && self.begun.elapsed() > SHORT {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
             self.bar.enable_steady_tick(TICK);
             *shown() = Some(self.bar.clone());
@@ -139,15 +133,6 @@ pub(crate) fn clear() {
 
 fn shown() -> MutexGuard<'static, Option<ProgressBar>> {
     SHOWN.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Whether work that began so long ago, when the first count was done, has taken long, or will have
-/// at its pace.
-fn is_long(elapsed: Duration, first: Count, now: Count) -> bool {
-    let share = now.done.saturating_sub(first.done) as f64
-        / now.total.saturating_sub(first.done).max(1) as f64;
-    elapsed >= SHORT
-        || now.total > 0 && elapsed >= SOON && elapsed.as_secs_f64() > share * SHORT.as_secs_f64()
 }
 
 /// A bar that is not shown yet.
@@ -186,45 +171,4 @@ fn rest(state: &ProgressState, writer: &mut dyn fmt::Write) {
     } else {
         write!(writer, "?")
     };
-}
-
-#[cfg(test)]
-mod tests {
-    use std::time::Duration;
-
-    use super::{Count, is_long};
-
-    #[test]
-    fn only_work_of_more_than_two_seconds_is_long() {
-        let none = Count {
-            done: 0,
-            total: 1000,
-        };
-        let is_long =
-            |millis, done| is_long(Duration::from_millis(millis), none, Count { done, ..none });
-        // Whatever it is, it may be over in a moment.
-        assert!(!is_long(499, 0));
-        // At its pace it takes two seconds, or a little more.
-        assert!(!is_long(500, 250) && is_long(500, 249));
-        assert!(!is_long(1000, 500) && is_long(1000, 499));
-        assert!(is_long(2000, 1000));
-    }
-
-    #[test]
-    fn work_without_a_known_end_has_no_pace() {
-        let none = Count { done: 0, total: 0 };
-        let is_long =
-            |millis, done| is_long(Duration::from_millis(millis), none, Count { done, ..none });
-        assert!(!is_long(1900, 0) && !is_long(1900, 5) && is_long(2000, 5));
-    }
-
-    #[test]
-    fn what_an_earlier_run_has_done_is_no_pace() {
-        let resumed = Count {
-            done: 900,
-            total: 1000,
-        };
-        let is_long = |done| is_long(Duration::from_secs(1), resumed, Count { done, ..resumed });
-        assert!(is_long(940) && !is_long(960));
-    }
 }

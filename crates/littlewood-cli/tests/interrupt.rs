@@ -630,7 +630,7 @@ fn what_has_no_known_end_moves_all_the_same() {
     let shown = on_a_terminal_with(&format!("{path}:{others}"), "60", &film);
     assert!(shown.contains("ffmpeg finishes the film"), "{shown}");
     // The boundaries of a picture, from a grid that is computed at once.
-    let map = "map figure-3 --x theta=-3:3:40 --y theta_rate=-4:4:40 --restitution 0.9 --mu-s 0 --mu-k 0 --shade sequence";
+    let map = "map figure-3 --x theta=-3:3:15 --y theta_rate=-4:4:15 --mu-s 1e-4 --mu-k 1e-4";
     let shown = on_a_terminal("8", &format!("{map} --threads 1 --out {path}/map.svg"));
     assert!(shown.contains("starts along the boundaries"), "{shown}");
 }

@@ -69,6 +69,28 @@ fn the_plane_of_figure_2_has_the_known_counts() {
     assert!(folder.path().join("plane.zarr/zarr.json").exists());
 }
 
+#[test]
+fn the_rows_of_a_text_stand_in_the_order_of_the_axes_whatever_the_chunks() {
+    let folder = folder();
+    let [whole, cut] = ["50000", "100"].map(|points| {
+        let out = path(&folder, &format!("{points}.csv"));
+        let more = ["--until", "5", "--chunk", points, "--out", &out];
+        text(&[&["map", "figure-3"], &SMALL[..], &more].concat());
+        fs::read_to_string(out).expect("a text")
+    });
+    assert!(whole == cut);
+    let place = |line: &str| {
+        let cells: Vec<f64> = line
+            .split(',')
+            .take(2)
+            .map(|cell| cell.parse().expect("a number"))
+            .collect();
+        [cells[0], cells[1]]
+    };
+    let places: Vec<[f64; 2]> = cut.lines().skip(1).map(place).collect();
+    assert!(places.len() == 21 * 31 && places.is_sorted());
+}
+
 /// With restitution a class is that of the first lift-off, and `outcome` the end: both are columns,
 /// and the counts are those of the classes.
 #[test]
@@ -779,7 +801,7 @@ fn a_picture_may_show_phases_energy_and_curves() {
     let plain = map(&[]);
     for more in [
         &["--shade", "sequence"][..],
-        &["--shade", "energy_lost", "--contours"],
+        &["--shade", "energy_lost"],
         &["--curves"],
     ] {
         assert!(map(more) != plain, "{more:?}");
@@ -787,7 +809,6 @@ fn a_picture_may_show_phases_energy_and_curves() {
     let refused =
         |more: &[&'static str]| complaint(&[&["map", "figure-3", "--out", &out], more].concat(), 2);
     let plane = |more: &[&'static str]| refused(&[&SMALL[..], more].concat());
-    assert!(plane(&["--contours"]).contains("hint: leave out --contours"));
     assert!(plane(&["--curves", "--slip", "0.1"]).contains("its starts have slip"));
     assert!(
         refused(&["--x", "theta=-1:1:3", "--y", "mu=0:1:3", "--curves"])

@@ -228,9 +228,12 @@ impl Canvas {
     fn titles(&mut self, panel: &Panel, plane: &Plane<'_>) {
         let Corners { low, high } = plane.corners;
         let middle = |a: i32, b: i32| 0.5 * (f64::from(a + b) / STEPS);
-        let [outer, above, _, tall] = panel.frame;
-        let below = [middle(low.x, high.x), above + tall - BELOW * LETTER];
-        let beside = [outer + TOP * LETTER, middle(low.y, high.y)];
+        let frame = panel.frame;
+        let below = [
+            middle(low.x, high.x),
+            frame.top + frame.height - BELOW * LETTER,
+        ];
+        let beside = [frame.left + TOP * LETTER, middle(low.y, high.y)];
         for (axis, at, upwards) in [(plane.x, below, false), (plane.y, beside, true)] {
             self.words(Words {
                 text: axis.title.clone(),

@@ -6,6 +6,7 @@ use littlewood_style::ticks::{self, Tick};
 use littlewood_style::{Curve, Rgb};
 
 use crate::clip;
+use crate::markup::plain;
 use crate::primitives::{Anchor, Image};
 use crate::stroke::{INK, LETTER, ROOM, Stroke};
 
@@ -32,13 +33,38 @@ pub struct Figure {
     pub notes: Vec<String>,
 }
 
+/// Where a panel stands on its sheet, in pixels, axis labels included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PanelFrame {
+    /// Its left side.
+    pub left: f64,
+    /// Its upper side.
+    pub top: f64,
+    /// Its width.
+    pub width: f64,
+    /// Its height.
+    pub height: f64,
+}
+
+impl PanelFrame {
+    /// That of a panel which is all of a sheet, or its upper part.
+    pub const fn from_corner(width: f64, height: f64) -> Self {
+        Self {
+            left: 0.0,
+            top: 0.0,
+            width,
+            height,
+        }
+    }
+}
+
 /// A part of a figure with axes of its own.
 #[derive(Clone, Debug)]
 pub struct Panel {
     /// Name in the file of data.
     pub name: &'static str,
-    /// Left, top, width and height in pixels, axis labels included.
-    pub frame: [f64; 4],
+    /// Where it stands.
+    pub frame: PanelFrame,
     /// Axes.
     pub view: View,
     /// Pixels over the whole of the axes, below all that is drawn.
@@ -341,8 +367,11 @@ impl Panel {
             View::Space { .. } => false,
         };
         let [left, below] = if has_axes { ROOM } else { [0.0; 2] };
-        let [x, y, width, height] = self.frame;
-        [[x + left, y], [x + width, y + height - below]]
+        let frame = self.frame;
+        [
+            [frame.left + left, frame.top],
+            [frame.left + frame.width, frame.top + frame.height - below],
+        ]
     }
 
     /// Where a place of its plane is drawn, in pixels; none in space.
@@ -483,6 +512,11 @@ impl Figure {
     pub fn noted(mut self, note: impl Into<Option<String>>) -> Self {
         self.notes.extend(note.into());
         self
+    }
+
+    /// The caption without marks.
+    pub fn caption_txt(&self) -> String {
+        format!("{}\n\n{}\n", plain(&self.title), plain(&self.caption))
     }
 
     /// The series of this name in any panel.

@@ -5,7 +5,7 @@ use littlewood_style::ticks::{self, Tick};
 use littlewood_style::Rgb;
 
 use crate::chart::room_for_notes;
-use crate::figure::{Figure, Label, Layer, Mark, Panel, PlotAxis, Scale, Series, View};
+use crate::figure::{Figure, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, Scale, Series, View};
 use crate::letters::width;
 use crate::place::place;
 use crate::space::length_of;
@@ -31,7 +31,11 @@ impl Figure {
     pub fn fitted(mut self) -> Self {
         let mut left_out: Vec<String> = Vec::new();
         for panel in &mut self.panels {
-            let [_, _, across, upwards] = panel.frame;
+            let PanelFrame {
+                width: across,
+                height: upwards,
+                ..
+            } = panel.frame;
             let [[left, top], [right, bottom]] = panel.axes_frame();
             match &mut panel.view {
                 View::Plane { x, y, .. } => {

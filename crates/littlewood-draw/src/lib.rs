@@ -7,7 +7,7 @@
 //! everywhere. No file is touched here, and nothing is known of mechanics.
 //!
 //! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the
-//! line: [`plain`] takes them off, [`markdown`] and [`latex`] translate them.
+//! line: [`plain`] takes them off, [`markdown`] translates them.
 //!
 //! ```
 //! use littlewood_draw::{Content, INK, Mark, PlotAxis, Series, Sheet, Stroke};
@@ -26,7 +26,6 @@
 //! # Ok::<(), littlewood_draw::DrawError>(())
 //! ```
 
-mod caption;
 mod chart;
 mod clip;
 mod csv;
@@ -52,10 +51,10 @@ mod stroke;
 mod svg;
 mod words;
 
-pub use caption::latex;
 pub use error::DrawError;
 pub use figure::{
-    Figure, HoopShape, Key, Label, Layer, Mark, Panel, Piece, PlotAxis, Scale, Series, View, tilted,
+    Figure, HoopShape, Key, Label, Layer, Mark, Panel, PanelFrame, Piece, PlotAxis, Scale, Series,
+    View, tilted,
 };
 pub use font::font;
 pub use letters::{missing, outlines, width};

@@ -1,7 +1,7 @@
 //! The paper: how wide a figure is, and where its parts stand on it.
 
 use crate::error::DrawError;
-use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PlotAxis, View};
+use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, View};
 use crate::letters::width;
 use crate::stroke::SMALL;
 
@@ -116,15 +116,25 @@ impl Sheet {
 
     /// The frames of two panels of a height, with so much room above each: beside each other, or
     /// on a narrow sheet one below the other.
-    pub fn frames(&self, above_first: f64, above_second: f64, height: f64) -> [[f64; 4]; 2] {
+    pub fn frames(&self, above_first: f64, above_second: f64, height: f64) -> [PanelFrame; 2] {
         let [left, inner] = self.span();
         let each = 0.5 * (inner - BESIDE);
         if each < NARROWEST {
             let below = above_first + height + above_second;
-            return [above_first, below].map(|top| [left, top, inner, height]);
+            return [above_first, below].map(|top| PanelFrame {
+                left,
+                top,
+                width: inner,
+                height,
+            });
         }
         let top = f64::max(above_first, above_second);
-        [left, left + (each + BESIDE)].map(|left| [left, top, each, height])
+        [left, left + (each + BESIDE)].map(|left| PanelFrame {
+            left,
+            top,
+            width: each,
+            height,
+        })
     }
 
     /// Keys in rows from a height downwards, in columns where it takes more than one row, and the
@@ -180,21 +190,21 @@ impl Sheet {
     }
 
     /// A panel in a frame.
-    pub fn panel(frame: [f64; 4], content: Content) -> Panel {
+    pub fn panel(frame: PanelFrame, content: Content) -> Panel {
         Self::tilted(frame, content, 0.0)
     }
 
     /// A panel in a frame, the coordinates of its data turned by an angle against its axes.
-    pub fn tilted(frame: [f64; 4], content: Content, tilt: f64) -> Panel {
+    pub fn tilted(frame: PanelFrame, content: Content, tilt: f64) -> Panel {
         Self::framed(frame, content, true, tilt)
     }
 
     /// The same without axes.
-    pub fn bare(frame: [f64; 4], content: Content, tilt: f64) -> Panel {
+    pub fn bare(frame: PanelFrame, content: Content, tilt: f64) -> Panel {
         Self::framed(frame, content, false, tilt)
     }
 
-    fn framed(frame: [f64; 4], content: Content, axes: bool, tilt: f64) -> Panel {
+    fn framed(frame: PanelFrame, content: Content, axes: bool, tilt: f64) -> Panel {
         let Content {
             name,
             x,
@@ -227,7 +237,13 @@ impl Sheet {
         let (keys, room) = self.keys(entries, 6.0);
         let [left, inner] = self.span();
         let height = self.height(own_height);
-        let mut panel = Self::panel([left, ABOVE + room, inner, height], content);
+        let frame = PanelFrame {
+            left,
+            top: ABOVE + room,
+            width: inner,
+            height,
+        };
+        let mut panel = Self::panel(frame, content);
         panel.keys = keys;
         self.figure(
             name,
@@ -252,7 +268,7 @@ impl Sheet {
         let (keys, room) = self.keys(entries, 6.0);
         let height = self.height(own_height);
         let frames = self.frames(ABOVE + room, ABOVE, height);
-        let bottom = frames[1][1] + height + BELOW;
+        let bottom = frames[1].top + height + BELOW;
         let mut panels: Vec<Panel> = frames
             .into_iter()
             .zip(contents)

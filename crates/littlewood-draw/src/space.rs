@@ -1,7 +1,7 @@
 //! Three axes, seen from a direction: the three sides at the back with their grids, and ticks along
 //! the edges in front.
 
-use crate::figure::{Panel, PlotAxis, View};
+use crate::figure::{Panel, PanelFrame, PlotAxis, View};
 use crate::item::{Paint, Step, steps};
 use crate::marks::{Canvas, HAIR};
 use crate::primitives::Anchor;
@@ -42,7 +42,12 @@ impl<'a> Space<'a> {
         else {
             return None;
         };
-        let [left, top, width, height] = panel.frame;
+        let PanelFrame {
+            left,
+            top,
+            width,
+            height,
+        } = panel.frame;
         Some(Self {
             axes: [x, y, z],
             centre: [left + 0.5 * width, top + 0.5 * height],

@@ -57,7 +57,7 @@ fn below(figure: &Figure) -> String {
     let bottom = figure
         .panels
         .iter()
-        .map(|panel| panel.frame[1] + panel.frame[3]);
+        .map(|panel| panel.frame.top + panel.frame.height);
     let bottom = bottom.fold(0.0, f64::max);
     let texts = figure.texts().into_iter();
     let lines = texts.filter(|(_, [_, top, ..])| *top >= bottom);

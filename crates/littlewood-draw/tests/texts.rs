@@ -2,9 +2,7 @@
 
 use littlewood::tables::{Class, Dimension, Quantity, SampleColumn};
 use littlewood::{Cause, Mode, OutcomeKind};
-use littlewood_draw::{
-    Run, Script, latex, markdown, marked, missing, plain, runs, short, unicode, width,
-};
+use littlewood_draw::{Run, Script, markdown, marked, missing, plain, runs, short, unicode, width};
 
 #[test]
 fn marks_are_taken_off() {
@@ -47,30 +45,6 @@ fn a_run_knows_how_it_is_set() {
                 script: Script::Line
             },
         ]
-    );
-}
-
-#[test]
-fn symbols_are_formulas_and_words_are_text() {
-    assert_eq!(
-        latex("|*F*| = *μ*_{s}*N* at 5%"),
-        "$|F| = \\mu_{\\mathrm{s}}N$ at 5\\%"
-    );
-    assert_eq!(latex("*θ*′^{2} = 10^{−9}."), "$\\theta'^{2} = 10^{-9}$.");
-    assert_eq!(
-        latex("*μ*_{k} = 0.4. In 2019"),
-        "$\\mu_{\\mathrm{k}} = 0.4$. In 2019"
-    );
-    assert_eq!(latex("*X̄* moves by *ℓh*"), "$\\bar{X}$ moves by $\\ell h$");
-    assert_eq!(latex("*I\u{302}* = 1"), "$\\hat{I} = 1$");
-    // A formula is in one piece, and units are text.
-    assert_eq!(
-        latex("*θ*(0) = π/2, *I*_{zz} = 2"),
-        "$\\theta(0) = \\pi/2$, $I_{\\mathrm{zz}} = 2$"
-    );
-    assert_eq!(
-        latex("*g* = 9.8 m/s^{2} (2.9)"),
-        "$g = 9.8$ m/s$^{2}$ (2.9)"
     );
 }
 

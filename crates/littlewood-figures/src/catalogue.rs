@@ -201,7 +201,7 @@ littlewood figures --out figures
 
 It writes each figure as SVG, PDF and PNG, with its data (CSV) and its caption. With other parameters (`--mass-ratio`, …) the
 figures show another hoop, in SI units if the parameters are; `--width-mm 84` fits the column of a journal, with letters of 7
-to 8 points, and `--format pdf,tex` adds a file for `\\input`. `littlewood figures --help` has examples. Lengths are in *R*,
+to 8 points. `littlewood figures --help` has examples. Lengths are in *R*,
 masses in *m*<sub>2</sub>, times in √(*R*/*g*). `cargo run -p littlewood-figures --example gallery -- docs` writes this page
 and its images; a test compares them.
 ";

@@ -31,7 +31,7 @@
 //! ```
 //!
 //! Texts carry marks, `*θ*` for a symbol, `` `E` `` for a vector, `_{s}` below and `^{2}` above the
-//! line: [`plain`] takes them off, [`markdown`] and [`latex`] translate them. Letters are drawn as
+//! line: [`plain`] takes them off, [`markdown`] translates them. Letters are drawn as
 //! outlines, so that a figure looks the same everywhere. With [`FigureInput::width_mm`] a figure is
 //! laid out for print, with [`FigureInput::units`] it is in SI units.
 

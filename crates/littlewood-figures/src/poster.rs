@@ -4,7 +4,7 @@
 use littlewood::Trajectory;
 use littlewood::tables::{Dimension, Quantity, Setup};
 use littlewood_draw::{
-    Figure, GRID, Label, Panel, Piece, PlotAxis, SOFT, Series, Sheet, Stroke, angle,
+    Figure, GRID, Label, Panel, PanelFrame, Piece, PlotAxis, SOFT, Series, Sheet, Stroke, angle,
     lift_off_condition, marked, plain, short,
 };
 
@@ -293,7 +293,11 @@ impl Page {
             layers,
             labels,
         };
-        panels.push(Sheet::bare([0.0, 0.0, width, height], content, 0.0));
+        panels.push(Sheet::bare(
+            PanelFrame::from_corner(width, height),
+            content,
+            0.0,
+        ));
         Figure {
             name: "poster",
             title: "Littlewood's hoop".to_owned(),
@@ -311,8 +315,8 @@ impl Page {
 
 /// Moves a panel on the page.
 fn shift(panel: &mut Panel, right: f64, down: f64) {
-    panel.frame[0] += right;
-    panel.frame[1] += down;
+    panel.frame.left += right;
+    panel.frame.top += down;
     for key in &mut panel.keys {
         key.at = [key.at[0] + right, key.at[1] + down];
     }

@@ -3,8 +3,8 @@
 
 use littlewood::{Phase, Sample, Transition};
 use littlewood_draw::{
-    Content, Entries, FAINT, Figure, Label, Layer, Panel, PlotAxis, ROOM, SMALL, SOFT, Scale,
-    Series, Sheet, Stroke, width,
+    Content, Entries, FAINT, Figure, Label, Layer, Panel, PanelFrame, PlotAxis, ROOM, SMALL, SOFT,
+    Scale, Series, Sheet, Stroke, width,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::FINE;
@@ -104,7 +104,15 @@ impl Shown {
         let mut panels: Vec<Panel> = Vec::new();
         for (i, content) in contents.into_iter().enumerate() {
             let high = height(i);
-            panels.push(Sheet::panel([left, top, inner, high], content));
+            panels.push(Sheet::panel(
+                PanelFrame {
+                    left,
+                    top,
+                    width: inner,
+                    height: high,
+                },
+                content,
+            ));
             bottom = top + high;
             top = bottom - ROOM[1] + CLOSE;
         }

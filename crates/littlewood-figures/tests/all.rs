@@ -1,7 +1,6 @@
 //! The tests of the figures: one program, a module for each subject.
 
 mod beyond;
-mod captions;
 mod catalogue;
 mod facts;
 mod fates;

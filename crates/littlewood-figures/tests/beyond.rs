@@ -42,11 +42,11 @@ fn a_sheet_has_all_quantities_at_the_same_times() {
             "friction"
         ]
     );
-    let frames: Vec<[f64; 4]> = figure.panels.iter().map(|panel| panel.frame).collect();
+    let frames: Vec<_> = figure.panels.iter().map(|panel| panel.frame).collect();
     assert!(
         frames
             .windows(2)
-            .all(|pair| pair[0][0] == pair[1][0] && pair[0][2] == pair[1][2])
+            .all(|pair| pair[0].left == pair[1].left && pair[0].width == pair[1].width)
     );
     let value = |name| {
         columns(

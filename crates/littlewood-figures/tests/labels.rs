@@ -4,7 +4,6 @@
 use crate::random::Draw;
 use littlewood_figures::{FIGURES, Figure, FigureInput, View};
 
-/// Figures that follow many motions, of some hoops only.
 /// Figures of each motion.
 const EACH: usize = 3;
 

@@ -101,7 +101,12 @@ fn what_does_not_apply_is_replaced() {
         );
         assert!(pictures >= 2, "{name}: {pictures}");
         for panel in &page.panels {
-            let [left, top, width, height] = panel.frame;
+            let littlewood_draw::PanelFrame {
+                left,
+                top,
+                width,
+                height,
+            } = panel.frame;
             assert!(
                 left >= 0.0 && top >= 0.0,
                 "{name}: {} {:?}",

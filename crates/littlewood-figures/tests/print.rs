@@ -296,18 +296,8 @@ fn letters_of_an_svg_are_outlines_and_are_read_aloud_all_the_same() {
 }
 
 #[test]
-fn captions_are_files_of_markdown_and_latex() {
+fn a_caption_is_a_file_of_text() {
     let figure = printed("figure-2b", 84.0).expect("it can be drawn");
-    let markdown = figure.caption_md();
-    assert!(markdown.starts_with(
-        "![Figure 2(b): phase portrait of rolling](figure-2b.svg)\n\n**Figure 2(b): "
-    ));
-    assert!(markdown.contains("*μ*<sub>s</sub>*N*"));
-    let tex = figure.caption_tex();
-    assert!(
-        tex.contains("\\includegraphics[width=84mm]{figure-2b.pdf}")
-            && tex.contains("\\label{fig:figure-2b}")
-    );
-    assert!(tex.contains("$|F| = \\mu_{\\mathrm{s}}N$"), "{tex}");
-    assert!(figure.caption_txt().contains(&plain(&figure.caption)));
+    let text = figure.caption_txt();
+    assert!(text.starts_with(&plain(&figure.title)) && text.contains(&plain(&figure.caption)));
 }

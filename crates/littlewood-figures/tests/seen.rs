@@ -8,8 +8,6 @@ use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Start};
 use littlewood_figures::{FIGURES, Figure, FigureInput, Mark, Scale, View, find_figure, plain};
 use littlewood_style::{Accent, Theme};
 
-/// Figures that follow many motions.
-
 fn of_case(name: &str, case: &str) -> Figure {
     let input = FigureInput::of_case(case).expect("a case");
     find_figure(name)

@@ -9,8 +9,8 @@ use littlewood::tables::{Dimension, Quantity, SampleColumn};
 use littlewood::theory::{PhasePlane, Window};
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Dash, DrawError, GRID, Image, Label, Layer, Mark, Panel, PlotAxis, REGION, SMALL,
-    Scale, Series, Sheet, Stroke, marked,
+    Content, Dash, DrawError, GRID, Image, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, REGION,
+    SMALL, Scale, Series, Sheet, Stroke, marked,
 };
 use littlewood_style::width::FINE;
 use littlewood_style::{Curve, EnergyPart};
@@ -213,7 +213,12 @@ impl<'a> Shown<'a> {
         let (keys, room) = sheet.keys(self.entries(), 0.0);
         let [left, inner] = sheet.span();
         let top = room + ABOVE;
-        let frame = [left, top, inner, height - top - BELOW];
+        let frame = PanelFrame {
+            left,
+            top,
+            width: inner,
+            height: height - top - BELOW,
+        };
         let mut panel = Sheet::panel(frame, self.content(is_done));
         panel.keys = keys;
         let figure = sheet
@@ -446,7 +451,7 @@ fn pieces(with: With, samples: &[Sample]) -> Vec<Piece> {
 
 /// The parts of the energy of the samples, each with its time.
 fn energies(ledger: &EnergyLedger, samples: &[Sample]) -> Vec<(f64, EnergyParts)> {
-    let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample, false)?));
+    let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample)?));
     samples.iter().filter_map(parts).collect()
 }
 

@@ -32,7 +32,7 @@ fn energies(motion: &Trajectory, film: &Film<'_>) -> Vec<EnergyParts> {
     (0..film.schedule().frames)
         .filter_map(|index| {
             let sample = film.scene(index).expect("it can be made").sample;
-            ledger.parts(&sample, false)
+            ledger.parts(&sample)
         })
         .collect()
 }

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::{refuse, too_large};
-use crate::record::{LawName, law, limits, setup};
+use crate::record::{CountLimits, LawName, law, limits, setup};
 use crate::samples::with_room;
 use crate::waiting;
 
@@ -101,7 +101,11 @@ pub(crate) fn summaries<'py>(
         columns,
         law: law(py, &law_name)?,
     };
-    let limits = limits(py, until, (max_transitions, max_slides), proof)?;
+    let counts = CountLimits {
+        transitions: max_transitions,
+        slides: max_slides,
+    };
+    let limits = limits(py, until, counts, proof)?;
     let derivatives = derivatives
         .iter()
         .map(|name| derivative(name))

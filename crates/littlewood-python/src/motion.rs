@@ -21,7 +21,7 @@ use pyo3::types::PyDict;
 use crate::derivatives::{self, AtTimes, OfMotion};
 use crate::error::{refuse, too_large};
 use crate::record::{
-    ByName, GivenHoop, StartNumbers, StateDict, hoop, limits, start, start_by_name,
+    ByName, CountLimits, GivenHoop, StartNumbers, StateDict, hoop, limits, start, start_by_name,
 };
 use crate::samples::Samples;
 use crate::units::{Scales, units};
@@ -61,7 +61,11 @@ pub(crate) fn check_until(py: Python<'_>, until: f64) -> PyResult<()> {
 /// Refuses the name of a proof that there is not.
 #[pyfunction]
 pub(crate) fn check_proof(py: Python<'_>, proof: &str) -> PyResult<()> {
-    limits(py, None, (0, 0), proof).map(drop)
+    let counts = CountLimits {
+        transitions: 0,
+        slides: 0,
+    };
+    limits(py, None, counts, proof).map(drop)
 }
 
 /// A simulated motion, and the start that it was given.
@@ -96,7 +100,11 @@ pub(crate) fn simulate(
     proof: &str,
 ) -> PyResult<Trajectory> {
     let hoop = hoop(py, &given)?;
-    let limits = limits(py, until, (max_transitions, max_slides), proof)?;
+    let counts = CountLimits {
+        transitions: max_transitions,
+        slides: max_slides,
+    };
+    let limits = limits(py, until, counts, proof)?;
     let start = start(start_numbers);
     let motion = py.detach(|| hoop.simulate(start, limits));
     motion
@@ -143,6 +151,7 @@ pub(crate) struct ImpactDict {
     normal_work: f64,
     friction_work: f64,
     energy_lost: f64,
+    gains_energy: bool,
 }
 
 impl From<&Impact> for ImpactDict {
@@ -158,6 +167,7 @@ impl From<&Impact> for ImpactDict {
             normal_work: impact.normal_work,
             friction_work: impact.friction_work,
             energy_lost: impact.energy_lost(),
+            gains_energy: impact.gains_energy(),
         }
     }
 }

@@ -27,6 +27,22 @@ pub(crate) struct EquilibriumDict {
 /// Lines, or outlines, as points.
 type Pieces = Vec<Vec<[f64; 2]>>;
 
+/// From one value to another, as the package has it, a pair.
+#[derive(FromPyObject)]
+struct Interval {
+    #[pyo3(item(0))]
+    from: f64,
+    #[pyo3(item(1))]
+    to: f64,
+}
+
+fn window(theta: &Interval, theta_rate: &Interval) -> Window {
+    Window {
+        x: [theta.from, theta.to],
+        y: [theta_rate.from, theta_rate.to],
+    }
+}
+
 #[pyclass(frozen, module = "littlewood._core")]
 pub(crate) struct PhasePlane {
     hoop: Hoop,
@@ -92,8 +108,8 @@ methods! {
     }
 
     /// The curve of this name in a window, [from, to] of θ and of θ′; none for an unknown name.
-    fn curve(&self, name: &str, theta: [f64; 2], theta_rate: [f64; 2]) -> Option<DrawnCurve> {
-        let window = Window { x: theta, y: theta_rate };
+    fn curve(&self, name: &str, theta: Interval, theta_rate: Interval) -> Option<DrawnCurve> {
+        let window = window(&theta, &theta_rate);
         let curve = Curve::ALL.into_iter().find(|curve| curve.name() == name)?;
         Some(DrawnCurve {
             pieces: curve.pieces(&self.plane, &window),
@@ -102,13 +118,13 @@ methods! {
     }
 
     /// The pieces of the orbit of an energy in a window.
-    fn level(&self, energy: f64, theta: [f64; 2], theta_rate: [f64; 2]) -> Pieces {
-        self.plane.level_curve(energy, &Window { x: theta, y: theta_rate })
+    fn level(&self, energy: f64, theta: Interval, theta_rate: Interval) -> Pieces {
+        self.plane.level_curve(energy, &window(&theta, &theta_rate))
     }
 
     /// Region R as polygons in a window that reaches as far down as up.
-    fn rolling_region(&self, theta: [f64; 2], theta_rate: [f64; 2]) -> Pieces {
-        self.plane.rolling_region(&Window { x: theta, y: theta_rate })
+    fn rolling_region(&self, theta: Interval, theta_rate: Interval) -> Pieces {
+        self.plane.rolling_region(&window(&theta, &theta_rate))
     }
 
     fn equilibria(&self) -> Vec<EquilibriumDict> {

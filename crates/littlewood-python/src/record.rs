@@ -16,8 +16,14 @@ pub(crate) type HoopNumbers = [Option<f64>; Quantity::HOOP.len()];
 /// The name of a law of restitution, if one is given.
 pub(crate) type LawName = Option<String>;
 
-/// A hoop as the package has it: its numbers and its law of restitution.
-pub(crate) type GivenHoop = (HoopNumbers, LawName);
+/// A hoop as the package has it, a pair: its numbers and its law of restitution.
+#[derive(FromPyObject)]
+pub(crate) struct GivenHoop {
+    #[pyo3(item(0))]
+    numbers: HoopNumbers,
+    #[pyo3(item(1))]
+    law: LawName,
+}
 
 /// The values of [`Quantity::START`].
 pub(crate) type StartNumbers = [f64; Quantity::START.len()];
@@ -74,10 +80,17 @@ pub(crate) fn law(py: Python<'_>, name: &LawName) -> PyResult<Option<Restitution
     name.as_ref().map(parse).transpose()
 }
 
+/// The limits of a motion that are counted.
+#[derive(Clone, Copy)]
+pub(crate) struct CountLimits {
+    pub(crate) transitions: usize,
+    pub(crate) slides: usize,
+}
+
 pub(crate) fn limits(
     py: Python<'_>,
     until: Option<f64>,
-    (max_transitions, max_slides): (usize, usize),
+    counts: CountLimits,
     proof: &str,
 ) -> PyResult<Limits> {
     let default = || format!("'{}'", Proof::default());
@@ -86,8 +99,8 @@ pub(crate) fn limits(
         .map_err(|error: UnknownName| unknown(py, &error, "proof", &default()))?;
     Ok(Limits::default()
         .with_until(until)
-        .with_transitions(max_transitions)
-        .with_slides(max_slides)
+        .with_transitions(counts.transitions)
+        .with_slides(counts.slides)
         .with_proof(proof))
 }
 
@@ -106,8 +119,9 @@ pub(crate) fn setup(
     setup
 }
 
-pub(crate) fn hoop(py: Python<'_>, (numbers, name): &GivenHoop) -> PyResult<Hoop> {
-    let setup = setup(Quantity::HOOP.into_iter().zip(*numbers), law(py, name)?);
+pub(crate) fn hoop(py: Python<'_>, given: &GivenHoop) -> PyResult<Hoop> {
+    let values = Quantity::HOOP.into_iter().zip(given.numbers);
+    let setup = setup(values, law(py, &given.law)?);
     Hoop::new(setup.hoop).map_err(|error| refuse(py, &error, None))
 }
 

@@ -171,8 +171,8 @@ pub(crate) fn sequence_names(bits: PyReadonlyArray1<'_, u64>) -> Vec<String> {
         .collect()
 }
 
-fn names<const N: usize>(quantities: [Quantity; N]) -> Vec<&'static str> {
-    quantities.map(Quantity::name).to_vec()
+fn names(quantities: &[Quantity]) -> Vec<&'static str> {
+    quantities.iter().map(|quantity| quantity.name()).collect()
 }
 
 /// An item of a table of codes, and what it is in words.
@@ -223,9 +223,9 @@ macro_rules! add_table {
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add("HOOP", names(Quantity::HOOP))?;
-    module.add("START", names(Quantity::START))?;
-    module.add("AXES", names(Quantity::AXES))?;
+    module.add("HOOP", names(&Quantity::HOOP))?;
+    module.add("START", names(&Quantity::START))?;
+    module.add("AXES", names(&Quantity::AXES))?;
     let friction = Varies::Friction;
     let friction = Axis {
         name: friction.name(),
@@ -233,8 +233,8 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
         long_name: friction.long_name(),
     };
     module.add("FRICTION", friction)?;
-    module.add("SI_HOOP", names(Quantity::SI_HOOP))?;
-    module.add("SI_START", names(Quantity::SI_START))?;
+    module.add("SI_HOOP", names(&Quantity::SI_HOOP))?;
+    module.add("SI_START", names(&Quantity::SI_START))?;
     module.add("STANDARD_GRAVITY", STANDARD_GRAVITY)?;
     module.add("MAX_TRANSITIONS", Limits::default().transitions)?;
     module.add("MAX_SLIDES", Limits::default().slides)?;

@@ -11,14 +11,22 @@ use crate::record::{
     ByName, LawName, SiHoopNumbers, SiStartNumbers, hoop_by_name, law, si_setup, start_by_name,
 };
 
-/// m2, R and g in SI units.
-pub(crate) type Scales = (f64, f64, f64);
+/// m2, R and g in SI units, as the package has them, in this order.
+#[derive(FromPyObject)]
+pub(crate) struct Scales {
+    #[pyo3(item(0))]
+    mass_kg: f64,
+    #[pyo3(item(1))]
+    length_m: f64,
+    #[pyo3(item(2))]
+    gravity_m_per_s2: f64,
+}
 
-pub(crate) fn units(py: Python<'_>, (mass_kg, length_m, gravity): Scales) -> PyResult<Units> {
+pub(crate) fn units(py: Python<'_>, scales: Scales) -> PyResult<Units> {
     SiParameters {
-        particle_mass_kg: mass_kg,
-        radius_m: length_m,
-        gravity_m_per_s2: gravity,
+        particle_mass_kg: scales.mass_kg,
+        radius_m: scales.length_m,
+        gravity_m_per_s2: scales.gravity_m_per_s2,
         ..SiParameters::default()
     }
     .units()

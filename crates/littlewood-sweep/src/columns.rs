@@ -189,8 +189,8 @@ impl Columns {
     }
 
     pub(crate) fn set(&mut self, i: usize, summary: &Summary) {
-        for (column, value) in self.columns.iter_mut().zip(summary.values()) {
-            column.set(i, value);
+        for (column, value) in self.columns.iter_mut().zip(&summary.values()) {
+            column.set(i, *value);
         }
         self.classes[i] = Class::of(summary);
     }

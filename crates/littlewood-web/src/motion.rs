@@ -132,8 +132,7 @@ impl Motion {
     /// The parts of the energy at a time, over m2 g R, in the order of `EnergyPart` of the style
     /// crate. They add up to the energy of the start; empty outside the motion.
     pub fn energies(&self, time: f64) -> Vec<f64> {
-        let parts =
-            || EnergyLedger::new(&self.trajectory)?.parts(&self.trajectory.at(time)?, false);
+        let parts = || EnergyLedger::new(&self.trajectory)?.parts(&self.trajectory.at(time)?);
         parts().map_or_else(Vec::new, |it| {
             EnergyPart::ALL.map(|part| part.of(&it)).to_vec()
         })

@@ -50,7 +50,7 @@ impl Routh {
     /// Least and largest P, least and largest J of the picture.
     pub fn frame(&self) -> Vec<f64> {
         let Frame { normal, friction } = self.frame;
-        [normal, friction].concat()
+        [normal.ends(), friction.ends()].concat()
     }
 
     /// Both ends of the line of sticking in the picture; empty where it is outside.
@@ -170,14 +170,16 @@ impl Line {
         };
         let on_sides = frame
             .normal
+            .ends()
             .map(at_normal)
             .into_iter()
-            .filter(|point| is_within(frame.friction, point[1]));
+            .filter(|point| frame.friction.contains(point[1]));
         let on_ends = frame
             .friction
+            .ends()
             .map(at_friction)
             .into_iter()
-            .filter(|point| is_within(frame.normal, point[0]));
+            .filter(|point| frame.normal.contains(point[0]));
         let mut points: Vec<Point> = on_sides.chain(on_ends).collect();
         points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
         match (points.first(), points.last()) {
@@ -187,15 +189,28 @@ impl Line {
     }
 }
 
-fn is_within([least, most]: [f64; 2], value: f64) -> bool {
-    least <= value && value <= most
+/// Values from one to another, both included.
+#[derive(Clone, Copy, Debug)]
+struct Interval {
+    least: f64,
+    most: f64,
+}
+
+impl Interval {
+    const fn ends(self) -> [f64; 2] {
+        [self.least, self.most]
+    }
+
+    fn contains(self, value: f64) -> bool {
+        self.least <= value && value <= self.most
+    }
 }
 
 /// What a picture shows.
 #[derive(Clone, Copy, Debug)]
 struct Frame {
-    normal: [f64; 2],
-    friction: [f64; 2],
+    normal: Interval,
+    friction: Interval,
 }
 
 impl Frame {
@@ -208,13 +223,19 @@ impl Frame {
             (least, most)
         };
         let (_, most) = range(0);
-        let normal = [-ROOM * most, (1.0 + ROOM) * most];
+        let normal = Interval {
+            least: -ROOM * most,
+            most: (1.0 + ROOM) * most,
+        };
         let (least, most) = range(1);
         // A frictionless impact has a picture, too.
-        let extent = (most - least).max(0.2 * normal[1]);
+        let extent = (most - least).max(0.2 * normal.most);
         Self {
             normal,
-            friction: [least - ROOM * extent, most + ROOM * extent],
+            friction: Interval {
+                least: least - ROOM * extent,
+                most: most + ROOM * extent,
+            },
         }
     }
 }

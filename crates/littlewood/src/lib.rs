@@ -202,7 +202,7 @@ pub mod energy {
     //! let motion = find_case("figure-3").expect("a named case").simulate()?;
     //! let ledger = EnergyLedger::new(&motion).expect("a phase");
     //! let end = motion.at(motion.end_time()).expect("an instant of the motion");
-    //! let parts = ledger.parts(&end, false).expect("an instant of the motion");
+    //! let parts = ledger.parts(&end).expect("an instant of the motion");
     //! // Two slides lose energy, and the motion ends before the impact.
     //! let total = parts.kinetic + parts.potential + parts.friction;
     //! assert!(parts.friction > 0.0 && (total - parts.start).abs() < 1e-12);

@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use crate::common::dd::Dd;
 use crate::common::{engines, instants};
 use littlewood::modes::{Margin, PhaseSolution, Undecided};
-use littlewood::theory::{Body, Classification, SlidingLaw, StartRegion};
+use littlewood::theory::{Body, Classification, RollingLaw, SlidingLaw, StartRegion};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Phase, Proof, Restitution,
     RestitutionLaw, Sample, SlipDirection, Start, State, Trajectory,
@@ -242,12 +242,24 @@ pub(crate) struct Sizes {
     cos: f64,
     effective_inertia: f64,
     contact: f64,
-    normal: f64,
-    friction: f64,
+    pub(crate) normal: f64,
+    pub(crate) friction: f64,
 }
 
 impl Sizes {
+    /// At a start, whose angle is known to its last digit.
     pub(crate) fn of(hoop: &Hoop, start: &Start) -> Self {
+        Self::with_angle(hoop, start, f64::EPSILON * start.theta.abs())
+    }
+
+    /// Of a motion, whose angle is computed within a turn.
+    pub(crate) fn of_motion(hoop: &Hoop, state: State) -> Self {
+        let angles = std::f64::consts::PI + state.theta.abs();
+        Self::with_angle(hoop, &Start::from(state), f64::EPSILON * angles)
+    }
+
+    /// With the rounding of the angle.
+    fn with_angle(hoop: &Hoop, start: &Start, angle: f64) -> Self {
         let (mass, h, l) = (hoop.mass(), hoop.h(), hoop.offset());
         let inertia = hoop.body().inertia_about_mass_centre();
         let (sin, cos) = libm::sincos(start.theta);
@@ -263,9 +275,12 @@ impl Sizes {
         let normal = mass * down + l * u + l * sin * driven / d;
         let level = l * sin * (u * (inertia + l * (1.0 + h)) + (mass + l) * down);
         let friction = (level + (mass * inertia + l * l * sin * sin) * along) / d;
-        // An angle next to an equilibrium is known to its last digit.
-        let angle = f64::EPSILON * start.theta.abs();
-        let beside = l * angle * (u * (inertia + l * (1.0 + h)) + (mass + l) * down) / d;
+        // The forces change with the angle by these rates at most.
+        let spin = (l * (down + u) + (mass + l) * along) / d;
+        let turning = 2.0 * (1.0 + l / d);
+        let normal_by_angle = l * (u + spin * turning);
+        let friction_by_angle =
+            l * (u * (inertia + l * (1.0 + h)) + (mass + l) * down) / d + friction * turning;
         Self {
             mass,
             h,
@@ -276,8 +291,8 @@ impl Sizes {
             cos,
             effective_inertia: d,
             contact: unit * (down + h * cos.abs() * u),
-            normal: relative * normal,
-            friction: relative * friction + beside,
+            normal: relative * normal + angle * normal_by_angle,
+            friction: relative * friction + angle * friction_by_angle,
         }
     }
 
@@ -640,15 +655,15 @@ fn goes_on(motion: &Trajectory, index: usize, stop: &Sample) -> Option<bool> {
     let is_unresolved = |it: &Trajectory, index: usize| {
         it.outcome().kind() == OutcomeKind::Unresolved && index + 1 == it.phases().len()
     };
-    // The event is as near as rounding moves it, of which a force of rolling has as many as
-    // `ForceRounding` counts, and the effect is that of one: again, the motion may be on the limit.
-    let is_at_event = |leg: &Leg| {
-        leg.end
-            .is_some_and(|end| (end.time - state.time).abs() <= 34.0 * effect.apart[0])
-    };
+    // On the limit of static friction, but for rounding, its change decides: whether the state is
+    // there is what rounding tells.
+    let forces = RollingLaw::new(hoop).forces(state.theta, state.theta_rate);
+    let sizes = Sizes::of(hoop, &Start::from(state));
+    let is_on_limit = phase.mode() == Mode::Rolling
+        && (forces.normal <= sizes.normal
+            || forces.friction.abs() - hoop.mu_s() * forces.normal >= -sizes.friction_excess());
     let is_open = effect.decides
-        || is_at_event(&ours)
-        || is_at_event(&theirs)
+        || is_on_limit
         || grazes(&ours) != grazes(&theirs)
         || is_unresolved(motion, index)
         || is_unresolved(&again, 0);

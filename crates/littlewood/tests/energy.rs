@@ -9,7 +9,7 @@ fn sum(energies: &EnergyParts) -> f64 {
 }
 
 fn at(motion: &Trajectory, time: f64) -> Option<EnergyParts> {
-    EnergyLedger::new(motion)?.parts(&motion.at(time)?, false)
+    EnergyLedger::new(motion)?.parts(&motion.at(time)?)
 }
 
 #[test]
@@ -94,10 +94,7 @@ fn on_a_slope_what_rises_gains() {
     let (sin, cos) = libm::sincos(case.setup.hoop.slope);
     for sample in motion.sample_evenly(300, 10.0) {
         let wanted = 2.0 * (cos * (sample.mass_centre.y - 1.0) + sin * sample.mass_centre.x);
-        let parts = EnergyLedger::new(&motion)
-            .unwrap()
-            .parts(&sample, false)
-            .unwrap();
+        let parts = EnergyLedger::new(&motion).unwrap().parts(&sample).unwrap();
         assert!((parts.potential - wanted).abs() < 1e-13, "{parts:?}");
     }
 }

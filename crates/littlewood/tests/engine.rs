@@ -7,9 +7,10 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::common::{
-    any_slope, engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, start, tilted,
-    whole_range,
+    any_slope, engines, heavy_hoop, heavy_motion, massless_hoop, moderate_hoop, slope, start,
+    tilted, whole_range,
 };
+use littlewood::many::Fallback;
 use littlewood::modes::SlideLimit;
 use littlewood::tables::{ColumnType, PhaseSequence, Quantity, SummaryColumn, SummaryValue};
 use littlewood::{
@@ -753,8 +754,39 @@ fn limits_of_slides_are_reached_at_the_same_transition_by_all() {
     }
 }
 
-/// A motion on a smooth plane repeats itself. The engine skips its periods, and comes to the limits
-/// of time, transitions and slides where the simulation does.
+/// A slide is endless from its third turning point on, here one period of 19.7 after the first. One
+/// is ahead at once where θ′ is uphill, however small it is, and θ′² or its product with a later θ′
+/// underflows. From rest, and downhill, the limit of time comes first.
+#[test]
+fn a_turning_point_next_to_the_start_is_counted_by_all() {
+    let hoop = HoopParameters::thin(0.173_674_061_633_978_2)
+        .with_offset(0.610_362_856_055_145_8)
+        .with_inertia(1.0)
+        .with_friction(0.211_000_311_017_209_5, 0.037_000_904_249_021_055)
+        .with_slope(1.237_833_750_185_040_5);
+    let hoop = Hoop::new(hoop).expect("a hoop");
+    let limits = Limits::until(20.0);
+    let least = f64::from_bits(1);
+    for size in [0.0, least, 1e-300, 1e-160, 1e-20, 1e-10] {
+        for rate in [size, -size] {
+            let start = Start::at(4.992_112_780_877_53, rate).with_slip(-1.932_609_513_395_843_9);
+            let expected = if rate > 0.0 {
+                OutcomeKind::SlidesForever
+            } else {
+                OutcomeKind::TimeLimit
+            };
+            let motion = hoop.simulate(start, limits).expect("a valid start");
+            assert_eq!(motion.summary().outcome, expected, "{rate:e}");
+            for engine in engines(&hoop) {
+                let ours = engine.summary(start, limits).expect("a valid start");
+                assert_eq!(codes(&ours), codes(&motion.summary()), "{rate:e}");
+            }
+        }
+    }
+}
+
+/// Motions on a smooth plane are periodic. The engine skips whole periods, and still stops at the
+/// same limit of time, transitions or slides as the simulation.
 #[test]
 fn periods_on_a_smooth_plane_end_at_the_limits_of_the_simulation() {
     for (mass_ratio, inertia) in [(1.0, 1.0), (0.3, 0.1), (3.0, 0.5)] {
@@ -784,6 +816,42 @@ fn periods_on_a_smooth_plane_end_at_the_limits_of_the_simulation() {
         }
         assert!(ends.iter().all(|count| *count > 2), "{ends:?}");
         agree_to(limits, &hoop, &starts).expect("the same motions");
+    }
+}
+
+/// Where θ is known to a few parts of 10¹⁰ motions are computed, too, up to `MAX_ANGLE`.
+#[test]
+fn angles_of_some_million_radians_have_the_outcomes_of_the_simulation() {
+    let thin = HoopParameters::thin(1.0);
+    for hoop in [
+        thin.with_friction(0.5, 0.4),
+        thin.with_friction(1e-2, 1e-3),
+        thin.with_friction(0.0, 0.0),
+        thin.with_friction(0.5, 0.4).with_slope(0.01),
+        thin.with_friction(0.5, 0.4).with_slope(-0.3),
+        HoopParameters::thin(0.05).with_friction(0.3, 0.25),
+        HoopParameters::thin(0.2)
+            .with_inertia(0.1)
+            .with_friction(1.5, 1.4),
+    ] {
+        let hoop = Hoop::new(hoop).expect("a hoop");
+        let starts: Vec<Start> = random_starts(60)
+            .map(|start| {
+                let theta = start.theta + 2.2e6_f64.copysign(start.theta_rate);
+                Start::at(theta, start.theta_rate).with_slip(start.slip)
+            })
+            .collect();
+        agree(&hoop, &starts).expect("the same motions");
+        let engine = Engine::new(&hoop);
+        for start in starts {
+            engine
+                .summary(start, Limits::until(20.0))
+                .expect("a valid start");
+        }
+        let far = engine
+            .fallbacks()
+            .find(|(reason, _)| *reason == Fallback::Far);
+        assert_eq!(far.map(|(_, count)| count), Some(0));
     }
 }
 
@@ -1194,6 +1262,25 @@ proptest! {
             })
             .collect();
         agree(&hoop, &starts)?;
+    }
+
+    /// Whether a turning point is ahead is told by θ′, also where its square underflows: an endless
+    /// slide is known for one from the third on.
+    #[test]
+    fn slides_next_to_turning_points_have_the_outcomes_of_the_simulation(
+        hoop in moderate_hoop(), slope in prop_oneof![1 => Just(0.0), 3 => slope()],
+        starts in prop::collection::vec((start(), -324.0..-3.0_f64, any::<bool>()), 6),
+        until in 0.5..2.5_f64,
+    ) {
+        let starts: Vec<Start> = starts
+            .into_iter()
+            .map(|(start, power, up)| {
+                // Rounds to the least double.
+                let rate = libm::exp10(power).max(5e-324);
+                Start::at(start.theta, if up { rate } else { -rate }).with_slip(start.slip)
+            })
+            .collect();
+        agree_within(libm::exp10(until), &tilted(&hoop, slope), &starts)?;
     }
 
     /// Without friction a motion either lifts off or is proved to repeat itself.

@@ -8,9 +8,14 @@ use littlewood::cases::find_case;
 use littlewood::impact::{Impact, ImpactCase, ImpactError};
 use littlewood::tables::Quantity;
 use littlewood::theory::Body;
-use littlewood::{Hoop, HoopParameters, Outcome, Restitution, RestitutionLaw, Start, State};
+use littlewood::{
+    Hoop, HoopParameters, Limits, Outcome, OutcomeKind, Restitution, RestitutionLaw, Start, State,
+};
 use littlewood_random::Draw;
 use proptest::prelude::*;
+use serde_json::Value;
+
+const BOUNCES: &str = include_str!("../../../evidence/reference/bounces.json");
 
 fn restitution(coefficient: f64, law: RestitutionLaw) -> Restitution {
     Restitution::new(coefficient, law).expect("a coefficient between 0 and 1")
@@ -57,6 +62,58 @@ fn the_landing_of_figure_3_has_the_impact_of_the_40_digit_computation() {
     assert_eq!(half.after.slip, 0.0);
     assert!((half.after.gap_rate - 0.978_517_419_970_790_8).abs() < 1e-12);
     assert!((half.energy_lost() - 3.362_443_419_227_28).abs() < 1e-12);
+}
+
+/// Impacts at velocities from the least number to the largest of a start, followed in the impulse
+/// with 480 digits by `evidence/reference/bounces.py`.
+#[test]
+fn impacts_of_all_sizes_are_those_followed_with_480_digits() {
+    let data: Value = serde_json::from_str(BOUNCES).expect("evidence/reference/bounces.json");
+    let mut seen = 0;
+    for record in data["impacts"].as_array().expect("a list") {
+        let list = |key: &str| -> Vec<f64> {
+            let items = record[key].as_array().expect("a list").iter();
+            items
+                .map(|it| {
+                    it.as_f64().unwrap_or_else(|| {
+                        it.as_str().expect("a number").parse().expect("a number")
+                    })
+                })
+                .collect()
+        };
+        let (parameters, start, end) = (list("hoop"), list("start"), list("end"));
+        let hoop = HoopParameters::thin(parameters[0])
+            .with_offset(parameters[1])
+            .with_inertia(parameters[2])
+            .with_friction(parameters[3], parameters[4]);
+        let hoop = Hoop::new(hoop).expect("a valid hoop");
+        let law = record["law"]
+            .as_str()
+            .expect("a law")
+            .parse()
+            .expect("a law");
+        let e = record["restitution"].as_f64().expect("a number");
+        let state = State::from(Start::at(start[0], start[1]).with_slip(start[2]));
+        let found = impact(&hoop, &state, start[3], e, law);
+        // A dozen roundings of each term, and a digit of the least numbers.
+        let (inertia, _) = heavy(&hoop);
+        let answer = 4.0 * (1.0 + 1.0 / inertia);
+        let push = (end[3] + end[4].abs()) * answer;
+        let least = 4.0 * answer * f64::from_bits(1);
+        let before = [start[1], start[2], start[3], 0.0, 0.0];
+        for (at, ours) in numbers(&found).into_iter().enumerate() {
+            // Quotients by slopes that are as small as 0.02.
+            let digits = 50.0 * 16.0 * f64::EPSILON * (push + before[at].abs()) + least;
+            assert!(
+                (ours - end[at]).abs() <= digits,
+                "{at}: {ours:e} {:e} {digits:e} {record}",
+                end[at]
+            );
+        }
+        assert_eq!(found.after.slip == 0.0, end[1] == 0.0, "{found:?} {record}");
+        seen += 1;
+    }
+    assert_eq!(seen, 400);
 }
 
 #[test]
@@ -289,6 +346,321 @@ fn an_impact_is_the_same_in_all_units_of_velocity() {
             }
         }
     }
+}
+
+/// The velocities and impulses of an impact.
+fn numbers(impact: &Impact) -> [f64; 5] {
+    let after = impact.after;
+    let impulse = impact.impulse;
+    [
+        after.theta_rate,
+        after.slip,
+        after.gap_rate,
+        impulse.normal,
+        impulse.friction,
+    ]
+}
+
+/// A hoop on which rounding errors are small, and an angle.
+fn moderate(draw: &mut Draw) -> (HoopParameters, f64) {
+    let hoop = HoopParameters::thin(draw.between([0.2, 3.0]))
+        .with_offset(draw.between([0.2, 1.0]))
+        .with_inertia(draw.between([0.2, 3.0]));
+    (hoop, draw.between([-3.0, 3.0]))
+}
+
+fn rough(hoop: HoopParameters, mu_s: f64, mu_k: f64) -> Hoop {
+    Hoop::new(hoop.with_friction(mu_s, mu_k)).expect("a valid hoop")
+}
+
+/// Asserts that an impact depends on a number continuously where a comparison changes its side.
+#[track_caller]
+fn is_continuous(at: f64, impact: impl Fn(f64) -> Impact) {
+    let [below, exactly, above] = [at * (1.0 - 1e-11), at, at * (1.0 + 1e-11)].map(impact);
+    for other in [&below, &above] {
+        for (a, b) in numbers(&exactly).into_iter().zip(numbers(other)) {
+            // Quotients by k1 and by the deceleration of the slip, which may be small, and their
+            // squares.
+            let size = 1.0
+                + a.abs()
+                + exactly.impulse.normal
+                + exactly.impulse.normal * exactly.impulse.normal;
+            assert!(
+                (a - b).abs() < 1e-6 * size,
+                "{a} {b}\n{exactly:?}\n{other:?}"
+            );
+        }
+    }
+    assert!(
+        [below.case, above.case].contains(&exactly.case) && below.case != above.case,
+        "{:?} {:?} {:?}",
+        below.case,
+        exactly.case,
+        above.case
+    );
+}
+
+/// Comparisons of an impact that need no tie: to both sides it is the same.
+#[test]
+fn an_impact_is_continuous_where_its_case_changes() {
+    let mut seen = [0; 3];
+    for number in 0..3_000 {
+        let mut draw = Draw::of_case(51, 3, number);
+        let (parameters, theta) = moderate(&mut draw);
+        let (closing, rate) = (draw.between([0.1, 2.0]), draw.between([-2.0, 2.0]));
+        let (e, law) = (
+            draw.between([0.1, 0.95]),
+            draw.one_of(RestitutionLaw::ALL.as_slice()),
+        );
+        let to = |hoop: &Hoop, slip: f64| {
+            let state = State::from(Start::at(theta, rate).with_slip(slip));
+            impact(hoop, &state, -closing, e, law)
+        };
+        let mu = draw.between([0.1, 1.5]);
+        let hoop = rough(parameters, mu, mu);
+        let compliance = hoop.compliance(theta).expect("heavy");
+        let (a, b, c) = (compliance.a, compliance.b, compliance.c);
+        for sign in [-1.0, 1.0] {
+            let (k1, slowing) = (c - mu * sign * b, mu * a - sign * b);
+            if k1 > 0.1 && slowing > 0.1 && (mu * a - b.abs()).abs() > 0.1 {
+                // Slip ends with the greatest compression, and with the impact.
+                let ends = sign * closing * slowing / k1;
+                is_continuous(ends, |slip| to(&hoop, slip));
+                is_continuous((1.0 + e) * ends, |slip| to(&hoop, slip));
+                let at_end = to(&hoop, (1.0 + e) * ends);
+                assert!(
+                    at_end.case != ImpactCase::Slides || at_end.after.slip * sign >= 0.0,
+                    "{at_end:?}"
+                );
+                seen[0] += 1;
+            }
+        }
+        // P = 0 with a closing gap: μk |B| = C.
+        let mu = c / b.abs();
+        if mu < 50.0 && mu * a - b.abs() > 0.1 {
+            let slip = draw.between([0.1, 2.0]) * b.signum();
+            is_continuous(mu, |mu| to(&rough(parameters, mu, mu), slip));
+            seen[1] += 1;
+        }
+        // No slip, where static friction holds with μk, too, or does not hold.
+        if (mu * a - b.abs()).abs() > 0.1 {
+            let [left, none, right] = [-1e-12, 0.0, 1e-12].map(|slip| numbers(&to(&hoop, slip)));
+            for at in 0..5 {
+                assert!((none[at] - left[at]).abs() < 1e-9 && (none[at] - right[at]).abs() < 1e-9);
+            }
+            seen[2] += 1;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 300), "{seen:?}");
+}
+
+/// Nor where the slip towards sign B does not slow down, μk A = |B|.
+#[test]
+fn an_impact_is_continuous_where_the_slip_does_not_slow_down() {
+    let mut seen = 0;
+    for number in 0..1_000 {
+        let mut draw = Draw::of_case(51, 7, number);
+        let (parameters, theta) = moderate(&mut draw);
+        let (e, law) = (draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let compliance = rough(parameters, 0.0, 0.0)
+            .compliance(theta)
+            .expect("heavy");
+        let (a, b, c) = (compliance.a, compliance.b, compliance.c);
+        let mu = b.abs() / a;
+        if mu < 0.05 || c - mu * b.abs() < 0.1 {
+            continue;
+        }
+        for slip in [1e-9, 0.5] {
+            let state = State::from(Start::at(theta, 1.0).with_slip(slip * b.signum()));
+            let [less, more] = [1.0 - 1e-12, 1.0 + 1e-12].map(|part| {
+                impact(
+                    &rough(parameters, mu * part, mu * part),
+                    &state,
+                    -1.0,
+                    e,
+                    law,
+                )
+            });
+            for (a, b) in numbers(&less).into_iter().zip(numbers(&more)) {
+                assert!((a - b).abs() < 1e-8, "{less:?} {more:?}");
+            }
+        }
+        seen += 1;
+    }
+    assert!(seen > 300, "{seen}");
+}
+
+/// |B| = μs A: with μk = μs stick and slip are the same impact. Otherwise they differ, and the tie
+/// is said; no angle but 0 that is a double has exactly this friction.
+#[test]
+fn at_the_limit_of_static_friction_an_impact_is_continuous_or_undecided() {
+    let (mut equal, mut weaker) = (0, 0);
+    for number in 0..2_000 {
+        let mut draw = Draw::of_case(51, 4, number);
+        let (parameters, theta) = moderate(&mut draw);
+        let compliance = rough(parameters, 0.0, 0.0)
+            .compliance(theta)
+            .expect("heavy");
+        let mu = compliance.b.abs() / compliance.a;
+        if mu < 0.02 {
+            continue;
+        }
+        // Slip away from sign B ends in compression.
+        let slip = -1e-3 * compliance.b.signum();
+        let state = State::from(Start::at(theta, 0.5).with_slip(slip));
+        let e = restitution(draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let with = |mu_s: f64, mu_k: f64| rough(parameters, mu_s, mu_k).impact(&state, -1.0, e);
+        let parts = [1.0 - 1e-12, 1.0, 1.0 + 1e-12];
+        let of_equal = parts.map(|part| with(mu * part, mu * part).expect("continuous"));
+        for other in &of_equal {
+            for (a, b) in numbers(other).into_iter().zip(numbers(&of_equal[1])) {
+                assert!((a - b).abs() < 1e-10, "{of_equal:?}");
+            }
+        }
+        assert_eq!(
+            [of_equal[0].case, of_equal[2].case],
+            [
+                ImpactCase::ReversesInCompression,
+                ImpactCase::SticksInCompression
+            ]
+        );
+        equal += 1;
+        let mu_k = 0.5 * mu;
+        let [slips, tie, sticks] = parts.map(|part| with(mu * part, mu_k));
+        assert_eq!(tie, Err(ImpactError::Undecided { theta }));
+        let (slips, sticks) = (slips.expect("slips"), sticks.expect("sticks"));
+        assert_eq!(
+            [slips.case, sticks.case],
+            [
+                ImpactCase::ReversesInCompression,
+                ImpactCase::SticksInCompression
+            ]
+        );
+        assert!((slips.impulse.friction - sticks.impulse.friction).abs() > 1e-3 * mu);
+        // A motion that lands there ends.
+        let hoop = rough(parameters, mu, mu_k)
+            .with_restitution(e)
+            .expect("heavy");
+        let start = Start::at(theta, 0.0).with_slip(slip).with_gap_rate(1.0);
+        let motion = hoop
+            .simulate(start, Limits::default())
+            .expect("a valid start");
+        assert_eq!(motion.outcome().kind(), OutcomeKind::Unresolved);
+        assert_eq!(motion.outcome().state().theta, theta);
+        weaker += 1;
+    }
+    assert!(equal > 1000 && weaker > 1000, "{equal} {weaker}");
+}
+
+/// P = 0: without a closing gap nothing happens where P > 0, and a jam where P < 0.
+#[test]
+fn at_p_0_without_a_closing_gap_an_impact_is_undecided() {
+    let mut ties = 0;
+    for number in 0..2_000 {
+        let mut draw = Draw::of_case(51, 5, number);
+        let (parameters, theta) = moderate(&mut draw);
+        let compliance = rough(parameters, 0.0, 0.0)
+            .compliance(theta)
+            .expect("heavy");
+        let mu = compliance.c / compliance.b.abs();
+        if mu > 100.0 {
+            continue;
+        }
+        let state = State::from(Start::at(theta, 0.5).with_slip(compliance.b.signum()));
+        let e = restitution(draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let with = |mu: f64, closing: f64| rough(parameters, mu, mu).impact(&state, -closing, e);
+        assert_eq!(with(mu, 0.0), Err(ImpactError::Undecided { theta }));
+        assert_eq!(
+            with(mu * (1.0 - 1e-12), 0.0).expect("none").case,
+            ImpactCase::None
+        );
+        assert_eq!(
+            with(mu * (1.0 + 1e-12), 0.0).expect("jams").case,
+            ImpactCase::Jams
+        );
+        assert!(with(mu, 1e-9).is_ok());
+        ties += 1;
+    }
+    assert!(ties > 200, "{ties}");
+}
+
+/// Asserts the laws of contact, of friction and of restitution of an impact.
+fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
+    let (slip, closing) = (found.before.slip, -found.before.gap_rate);
+    let what = format!("{hoop:?} {law:?} {e}\n{found:?}");
+    let Impact {
+        before,
+        after,
+        impulse,
+        ..
+    } = *found;
+    assert!(
+        numbers(found).iter().all(|number| number.is_finite()),
+        "{what}"
+    );
+    assert!(impulse.normal >= 0.0 && after.gap_rate >= 0.0, "{what}");
+    let least = f64::from_bits(1);
+    let most = hoop.mu_s() * (impulse.normal * (1.0 + 8.0 * f64::EPSILON) + least) + least;
+    assert!(impulse.friction.abs() <= most, "{what}");
+    assert!(found.friction_work <= 0.0, "{what}");
+    match found.case {
+        ImpactCase::None => {
+            assert!(closing == 0.0 && before == after, "{what}");
+        }
+        ImpactCase::Slides => {
+            assert!(after.slip * slip.signum() >= 0.0, "{what}");
+            assert!((after.gap_rate - e * closing).abs() <= least, "{what}");
+        }
+        ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution | ImpactCase::Jams => {
+            assert!(after.slip == 0.0, "{what}");
+        }
+        ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
+            assert!(after.slip * slip.signum() <= 0.0 || slip == 0.0, "{what}");
+        }
+    }
+    if law == RestitutionLaw::Newton {
+        assert!((after.gap_rate - e * closing).abs() <= least, "{what}");
+    }
+    // Without a kink all laws are the same.
+    if law != RestitutionLaw::Newton || found.case == ImpactCase::Slides {
+        assert!(!found.gains_energy(), "{what}");
+    }
+}
+
+/// Hoops of the whole range and velocities from the least number to the largest of a start.
+#[test]
+fn impacts_of_all_sizes_keep_their_laws() {
+    let mut cases = [0_usize; ImpactCase::ALL.len()];
+    for number in 0..200_000 {
+        let mut draw = Draw::of_case(51, 6, number);
+        let (hoop, start) = draw.heavy_motion();
+        let mut velocity = || {
+            let size = draw.of_any_size([-323.3, 6.0]).clamp(5e-324, 1e6);
+            if draw.comes(0.5) { -size } else { size }
+        };
+        let [rate, mut slip, mut gap_rate] = [(); 3].map(|()| velocity());
+        match draw.below(8) {
+            0 => slip = 0.0,
+            1 => gap_rate = 0.0,
+            // As large as each other, but for the compliances.
+            2..=5 => slip = gap_rate * draw.of_any_size([-3.0, 3.0]) * draw.one_of(&[-1.0, 1.0]),
+            _ => {}
+        }
+        let closing = gap_rate.abs();
+        let (e, law) = (draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let e = draw.one_of(&[0.0, 1.0, e, e]);
+        let state = State::from(Start::at(start.theta, rate).with_slip(slip));
+        let found = match hoop.impact(&state, -closing, restitution(e, law)) {
+            Ok(found) => found,
+            Err(error) => {
+                assert!(matches!(error, ImpactError::Undecided { .. }), "{error}");
+                continue;
+            }
+        };
+        cases[usize::from(found.case.code())] += 1;
+        check_laws(&hoop, &found, e, law);
+    }
+    assert!(cases.iter().all(|count| *count > 100), "{cases:?}");
 }
 
 proptest! {

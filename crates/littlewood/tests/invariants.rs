@@ -8,12 +8,20 @@ use crate::common::flight::{check_flights, check_landings};
 use crate::common::{
     heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start, whole_range,
 };
+use crate::consistent_modes::Sizes;
 use littlewood::modes::PhaseSolution;
 use littlewood::theory::{Body, GlidingIntegrals, SlidingLaw};
 use littlewood::{
-    Cause, Hoop, Mode, Outcome, Phase, Sample, SlipDirection, Start, State, Trajectory,
+    Cause, Hoop, HoopParameters, Mode, Outcome, Phase, Sample, SlipDirection, Start, State,
+    Trajectory,
 };
 use proptest::prelude::*;
+
+/// The rounding of a law between two instants, as a part of the sizes of its terms: a term has at
+/// most 34 roundings, of half a unit each, at either. They are 18 of its products and sums, 6 of at
+/// most three sines and cosines, 7 of m, h and Î, 2 of the coefficient of friction and 1 of the
+/// slope.
+const LAW_ROUNDING: f64 = 34.0 * f64::EPSILON;
 
 /// Where the particle passes the vertical, a light hoop turns with θ′² up to 2(E + ℓ̂)/Î, between
 /// two samples perhaps.
@@ -79,22 +87,19 @@ pub(crate) fn check_phase(
         match phase.solution() {
             PhaseSolution::Rolling(_) => {
                 prop_assert!(
-                    (now.energy - first.energy).abs() < 1e-13 * size,
+                    (now.energy - first.energy).abs() < LAW_ROUNDING * size,
                     "energy in rolling"
                 );
                 prop_assert_eq!(now.state.slip, 0.0);
-                let excess = now.friction.abs() - hoop.mu_s() * now.normal;
-                prop_assert!(
-                    excess < 1e-9 * size * (1.0 + hoop.mu_s()),
-                    "static friction at {elapsed}: {now:?}"
-                );
-                prop_assert!(
-                    now.normal > -1e-9 * size,
-                    "normal force at {elapsed}: {now:?}"
-                );
+                for margin in margins(hoop, &now, None) {
+                    prop_assert!(
+                        margin.value >= -margin.rounding,
+                        "{margin:?} at {elapsed}: {now:?}"
+                    );
+                }
                 let held = now.state.x + now.state.theta - first.state.x - first.state.theta;
                 prop_assert!(
-                    held.abs() < 1e-13 * (1.0 + now.state.theta.abs() + now.state.x.abs()),
+                    held.abs() < LAW_ROUNDING * (1.0 + now.state.theta.abs() + now.state.x.abs()),
                     "rolling constraint"
                 );
             }
@@ -110,22 +115,20 @@ pub(crate) fn check_phase(
                 size = size.max(passing(hoop, slides_since, &now));
                 let more = now.energy - before.energy;
                 prop_assert!(
-                    more <= 1e-12 * size * (1.0 + hoop.mu_k()),
+                    more <= LAW_ROUNDING * size * (1.0 + hoop.mu_k()),
                     "energy grows by {more}, {size}: {before:?} {now:?}"
                 );
-                let slipping = sign(phase.direction()) * now.state.slip;
-                // A clock that reads τ resolves η′ to η″ ulp(τ).
-                let resolution =
-                    4.0 * f64::EPSILON * now.state.time.abs() * now.slip_acceleration.abs();
-                prop_assert!(
-                    slipping > -1e-13 * size - resolution,
-                    "direction of slip at {elapsed}: {now:?}"
-                );
+                for margin in margins(hoop, &now, phase.direction()) {
+                    prop_assert!(
+                        margin.value >= -margin.rounding,
+                        "{margin:?} at {elapsed}: {now:?}"
+                    );
+                }
                 // N = Î m w/P, and w = 1 − h cos θ θ′² is known to the rounding of θ′.
                 let u = now.state.theta_rate * now.state.theta_rate;
                 let law_at =
                     hoop.body().inertia_about_mass_centre() * hoop.mass() / (p - rounding_of_p);
-                let rounding = 1e-11 * law_at * (1.0 + u) * (1.0 + now.state.theta.abs());
+                let rounding = LAW_ROUNDING * law_at * (1.0 + u) * (1.0 + now.state.theta.abs());
                 prop_assert!(
                     now.normal >= -rounding,
                     "normal force at {elapsed}: {now:?}"
@@ -138,7 +141,7 @@ pub(crate) fn check_phase(
                     (hoop.mass() * hoop.h() / hoop.body().inertia_about_mass_centre()).sqrt();
                 let digit = 4.0 * f64::EPSILON * (1.0 + now.state.theta.abs());
                 prop_assert!(
-                    drift.abs() < (1e-12 * size + digit * swing) * (1.0 + hoop.mu_k()),
+                    drift.abs() < (LAW_ROUNDING * size + digit * swing) * (1.0 + hoop.mu_k()),
                     "momentum integral: {drift}"
                 );
             }
@@ -148,24 +151,23 @@ pub(crate) fn check_phase(
                 };
                 let integrals = |s: &Sample| GlidingIntegrals::at(&body, &s.state);
                 let (start, here) = (integrals(&first), integrals(&now));
-                prop_assert!(
-                    (here.w - start.w).abs() < 1e-10 * size,
-                    "w: {start:?} {here:?}"
-                );
                 let pulled = libm::sin(hoop.slope()) * elapsed;
+                let rounding = LAW_ROUNDING * (size + pulled.abs());
+                prop_assert!((here.w - start.w).abs() < rounding, "w: {start:?} {here:?}");
                 prop_assert!(
-                    (here.momentum + pulled - start.momentum).abs() < 1e-10 * size,
-                    "momentum"
+                    (here.momentum + pulled - start.momentum).abs() < rounding,
+                    "momentum: {start:?} {here:?}"
                 );
                 prop_assert!(
-                    (now.energy - first.energy).abs() < 1e-10 * size,
-                    "energy in gliding"
+                    (now.energy - first.energy).abs() < rounding,
+                    "energy in gliding: {first:?} {now:?}"
                 );
-                let slipping = sign(phase.direction()) * now.state.slip;
-                prop_assert!(
-                    slipping > -1e-10 * size,
-                    "direction of slip at {elapsed}: {now:?}"
-                );
+                for margin in margins(hoop, &now, phase.direction()) {
+                    prop_assert!(
+                        margin.value >= -margin.rounding,
+                        "{margin:?} at {elapsed}: {now:?}"
+                    );
+                }
             }
             PhaseSolution::Flight(_) => {
                 prop_assert_eq!(now.state.theta_rate, first.state.theta_rate);
@@ -176,26 +178,51 @@ pub(crate) fn check_phase(
     Ok(())
 }
 
-/// What must not be negative during a phase, with the part of its terms that rounding may take.
-fn margins(
-    hoop: &Hoop,
-    sample: &Sample,
-    direction: Option<SlipDirection>,
-) -> Vec<(&'static str, f64, f64)> {
-    let size = size(hoop, sample);
+/// What must not be negative during a phase, with the bound of its rounding.
+#[derive(Clone, Copy, Debug)]
+struct Margin {
+    name: &'static str,
+    value: f64,
+    rounding: f64,
+}
+
+fn margins(hoop: &Hoop, sample: &Sample, direction: Option<SlipDirection>) -> Vec<Margin> {
+    let rounding = LAW_ROUNDING * size(hoop, sample);
     match sample.mode {
-        Mode::Rolling => vec![
-            (
-                "static friction",
-                hoop.mu_s() * sample.normal - sample.friction.abs(),
-                1e-9 * size * (1.0 + hoop.mu_s()),
-            ),
-            ("normal force", sample.normal, 1e-9 * size),
-        ],
-        Mode::Sliding | Mode::Gliding => {
-            vec![("slip", sign(direction) * sample.state.slip, 1e-9 * size)]
+        Mode::Rolling => {
+            let sizes = Sizes::of_motion(hoop, sample.state);
+            vec![
+                Margin {
+                    name: "static friction",
+                    value: hoop.mu_s() * sample.normal - sample.friction.abs(),
+                    rounding: sizes.friction_excess(),
+                },
+                Margin {
+                    name: "normal force",
+                    value: sample.normal,
+                    rounding: sizes.normal,
+                },
+            ]
         }
-        Mode::Flight => vec![("gap", sample.gap, 1e-13 * size)],
+        Mode::Sliding => vec![Margin {
+            name: "slip",
+            value: sign(direction) * sample.state.slip,
+            // θ′ of a light hoop is known to the last digit of the angle times the frequency at
+            // which the hoop swings, so that 34 roundings are too few: of these 450 it uses up to
+            // 80. A clock that reads τ resolves η′ to η″ ulp(τ).
+            rounding: 1e-13 * size(hoop, sample)
+                + 4.0 * f64::EPSILON * (sample.state.time * sample.slip_acceleration).abs(),
+        }],
+        Mode::Gliding => vec![Margin {
+            name: "slip",
+            value: sign(direction) * sample.state.slip,
+            rounding,
+        }],
+        Mode::Flight => vec![Margin {
+            name: "gap",
+            value: sample.gap,
+            rounding,
+        }],
     }
 }
 
@@ -215,10 +242,10 @@ pub(crate) fn check_minima(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseErr
             continue;
         };
         for k in 0..here.len() {
-            if here[k].1 > before[k].1 || here[k].1 > after[k].1 {
+            if here[k].value > before[k].value || here[k].value > after[k].value {
                 continue;
             }
-            let value = |time: f64| at(time).map_or(f64::INFINITY, |margins| margins[k].1);
+            let value = |time: f64| at(time).map_or(f64::INFINITY, |margins| margins[k].value);
             let (mut low, mut high) = (times[i - 1], times[i + 1]);
             for _ in 0..40 {
                 let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
@@ -228,11 +255,12 @@ pub(crate) fn check_minima(hoop: &Hoop, phase: &Phase) -> Result<(), TestCaseErr
                     low = a;
                 }
             }
-            let (name, least, rounding) =
-                at(0.5 * (low + high)).map_or(here[k], |margins| margins[k]);
+            let least = at(0.5 * (low + high)).map_or(here[k], |margins| margins[k]);
             prop_assert!(
-                least >= -rounding,
-                "{name} at {low}: {least} in {:?}",
+                least.value >= -least.rounding,
+                "{} of {} at {low} in {:?}",
+                least.name,
+                least.value,
                 phase.mode()
             );
         }
@@ -252,16 +280,17 @@ pub(crate) fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), 
         prop_assert_eq!(Some(phase.mode()), transition.from);
         match transition.cause {
             Cause::Slip if phase.mode() == Mode::Rolling => {
+                let sizes = Sizes::of_motion(hoop, last.state);
                 let excess = last.friction.abs() - hoop.mu_s() * last.normal;
                 prop_assert!(
-                    excess.abs() < 1e-9 * size * (1.0 + hoop.mu_s()),
+                    excess.abs() <= sizes.friction_excess(),
                     "|F| = μs N at the slip: {excess} {last:?}"
                 );
                 let body_is_heavy = matches!(hoop.body(), Body::Heavy(_));
                 if let (Some(direction), true) = (transition.direction, body_is_heavy) {
                     let along = direction.sign() * last.friction;
                     prop_assert!(
-                        along <= 1e-9 * size,
+                        along <= sizes.friction,
                         "slips against the friction force: {along} {last:?}"
                     );
                 }
@@ -275,7 +304,10 @@ pub(crate) fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), 
                         * libm::cos(last.state.theta)
                         * last.state.theta_rate
                         * last.state.theta_rate;
-                prop_assert!(w.abs() < 1e-11 * size, "1 = h cos θ θ′² at lift-off: {w}");
+                prop_assert!(
+                    w.abs() < LAW_ROUNDING * size,
+                    "1 = h cos θ θ′² at lift-off: {w}"
+                );
                 // Within so much of the top w differs from its minimum by its rounding.
                 let sin = libm::sin(last.state.theta);
                 let next_to_top =
@@ -287,7 +319,7 @@ pub(crate) fn check_transitions(hoop: &Hoop, motion: &Trajectory) -> Result<(), 
             }
             Cause::Landing => {
                 prop_assert!(
-                    last.gap_rate <= 1e-13 * size,
+                    last.gap_rate <= LAW_ROUNDING * size,
                     "gap rate at landing: {}",
                     last.gap_rate
                 );
@@ -359,9 +391,43 @@ proptest! {
         for (index, phase) in motion.phases().iter().enumerate() {
             let first = phase.first();
             if index > 0 {
-                prop_assert!((first.energy - energy).abs() < 1e-14 * size(&hoop, &first));
+                prop_assert!((first.energy - energy).abs() < LAW_ROUNDING * size(&hoop, &first));
             }
             energy = phase.last().map_or(first.energy, |last| last.energy);
         }
+    }
+}
+
+/// With μs = μk a slide begins with η″ = 0, which a light hoop knows to the last digit of the angle
+/// times m h/Î. Here that is up to some 1e9, which turned into a change of the momentum for a step.
+#[test]
+fn light_hoops_that_slip_on_the_static_limit_keep_their_momentum() {
+    let light = |mass_ratio, offset, mu| {
+        HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(0.0)
+            .with_friction(mu, mu)
+    };
+    let motions = [
+        (
+            light(
+                2.7764703158190347,
+                7.111625538737656e-10,
+                3.6215326156655064e-12,
+            ),
+            Start::at(-1.466122050957634, 3.670072410278368),
+        ),
+        (
+            light(
+                2.1703871948877839e-10,
+                7.188583912231865e-9,
+                9.388282287586042e-13,
+            ),
+            Start::at(2.9135390884485517, -2.597055419405061),
+        ),
+    ];
+    for (parameters, start) in motions {
+        let motion = simulate(&Hoop::new(parameters).expect("a hoop"), start);
+        check_laws(&motion).expect("the laws of each phase");
     }
 }

@@ -347,3 +347,27 @@ fn motions_of_the_whole_range_come_back() {
         "{outcomes:?}"
     );
 }
+
+/// A hoop that begins to roll uphill, however slowly, turns back: energies on the way to its turning
+/// point underflow. The motion differs from that from rest by some θ′, which is no digit.
+#[test]
+fn a_hoop_that_rolls_uphill_by_next_to_nothing_turns_back() {
+    let hoop = HoopParameters::thin(2.25)
+        .with_friction(1.5, 1.0)
+        .with_slope(-0.9);
+    let hoop = Hoop::new(hoop).expect("a hoop");
+    let limits = Limits::until(3.0);
+    for theta in [0.0, 1.0, -2.0] {
+        let end = |rate: f64| {
+            let motion = hoop.simulate(Start::at(theta, rate), limits);
+            motion.expect("a valid start").summary().end
+        };
+        let from_rest = end(0.0);
+        assert!(from_rest.theta < theta - 1.0);
+        for power in 130..=323 {
+            let theta = end(libm::exp10(-f64::from(power))).theta;
+            let error = (theta - from_rest.theta).abs();
+            assert!(error < 1e-13, "1e-{power}: {theta} {}", from_rest.theta);
+        }
+    }
+}

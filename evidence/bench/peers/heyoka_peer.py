@@ -223,9 +223,9 @@ def rolls(until):
                 "theta": angle(until),
             }
         ]
-    start = time.perf_counter()
+    start = time.process_time()
     theta = angle(until)
-    return [{"name": "heyoka, tol = eps", "seconds": time.perf_counter() - start, "theta": theta}]
+    return [{"name": "heyoka, tol = eps", "seconds": time.process_time() - start, "theta": theta}]
 
 
 serve(trajectory=trajectories, map=maps, rolling=rolls, regime=regime)

@@ -7,7 +7,7 @@ import numpy as np
 from numba import njit
 
 from physics import (
-    AT_ONCE, CONTACT, FAILED, FIGURE_3, FREE, LATER, MOST_PHASES, ROLL, SEVERAL,
+    AT_ONCE, CONTACT, FAILED, FIGURE_3, FREE, LATER, MOST_PHASES, NOT_ONE, ROLL,
     grid, mode_after, mode_at_rest, rolling, slip_margins, sliding, weight,
 )  # fmt: skip
 from worker import outcome_map, serve, trajectory
@@ -77,7 +77,7 @@ def motion(theta, rate, h, until, times):
     time, phases, fresh = 0.0, 0, True
     state = (theta, rate, 0.0, 0.0)
     while time < until:
-        if mode == SEVERAL or phases >= MOST_PHASES:
+        if mode == NOT_ONE or phases >= MOST_PHASES:
             return FAILED
         after = step(mode, state, h)
         first, second = margins(mode, after[0], after[1], after[2])

@@ -64,7 +64,7 @@ def trajectory(name, call, each=1):
 
 
 def outcome_map(name, starts, outcome, pick=None):
-    start = time.perf_counter()
+    start = time.process_time()
     outcomes = [outcome(theta, rate) for theta, rate in starts]
-    seconds = time.perf_counter() - start
+    seconds = time.process_time() - start
     return {"name": name, "seconds": seconds, "pick": pick, "outcomes": "".join(map(str, outcomes))}

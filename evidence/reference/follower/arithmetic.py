@@ -11,7 +11,7 @@ COARSE = (220, 20, 1e-22)  # for repetitions, which need only a difference
 class Tie(Exception):
     """Where the follower gives up.
 
-    Two events that 40 digits do not tell apart, a state without a motion of its own, or one too
+    Two events that 40 digits cannot separate, a state with no consistent motion, or one too
     long.
 
     What was followed until then is in `first` and `transitions`.

@@ -45,7 +45,10 @@ def difference(a, b):
 
 
 def unaccounted(one, body, motion):
-    """Energy at the start, less that at the end, less what was lost: zero but for rounding. None in flight, whose gap is not kept."""
+    """Energy at the start, less that at the end, less what was lost: zero but for rounding.
+
+    None in flight, whose gap is not kept.
+    """
     begin = State(*map(mpfr, one.start[:3]), mpfr(0))
     if motion.ended == "time_limit" and motion.phases[-1].mode.name == "flight":
         return mpfr(0)
@@ -55,7 +58,10 @@ def unaccounted(one, body, motion):
 
 
 def motions(name):
-    """The motions of a family, with their largest difference from 60 digits and their energy that is not accounted for."""
+    """The motions of a family.
+
+    With their largest difference from 60 digits and their energy that is not accounted for.
+    """
     family, draws, found = FAMILIES[name], Draws(f"rolling resistance, {name}"), []
     while len(found) < family.count:
         one = family.draw(draws)

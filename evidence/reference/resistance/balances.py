@@ -11,7 +11,7 @@ TIE = mpfr("1e-38")  # margins below this are not told from zero
 
 
 class Body(Hoop):
-    """The hoop of `follower`, with the coefficient of rolling resistance as its sixth number, before the slope."""
+    """The hoop of `follower`, with the coefficient of rolling resistance before the slope."""
 
     def __init__(self, mass_ratio, offset, inertia, mu_s, mu_k, chi, slope=0):
         super().__init__(mass_ratio, offset, inertia, mu_s, mu_k, slope)
@@ -77,9 +77,10 @@ def balances(body, mode, sine, cosine):
     """Matrix of the balances for (x'', theta'', N, F, K) with y'' = 0.
 
     Mass centre at (x - h sin theta, 1 + h cos theta); contact point from it at (h sin theta, -1 - h
-    cos theta). Rows: m xG'' = F - m sin slope, m yG'' = N - m cos slope, I theta'' = h sin theta N +
-    (1 + h cos theta) F + K; then eta'' = x'' + theta'' = 0 or F = -mu_k sign(eta') N; then theta'' =
-    0 or K = -chi sign(theta') N.
+    cos theta). Rows: m xG'' = F - m sin slope, m yG'' = N - m cos slope,
+    I theta'' = h sin theta N + (1 + h cos theta) F + K;
+    then eta'' = x'' + theta'' = 0 or F = -mu_k sign(eta') N;
+    then theta'' = 0 or K = -chi sign(theta') N.
     """
     m, h = body.m, body.h
     sticks, slides = (1, 1, 0, 0, 0), (0, 0, body.mu_k * mode.slips, 1, 0)
@@ -103,7 +104,7 @@ def answer(body, mode, state):
 
 
 def rises(body, state):
-    """y'' without a force of the plane: positive where free fall of the mass centre lifts the rim."""
+    """y'' without a force of the plane: positive where free fall of the centre lifts the rim."""
     return body.h * gmpy2.cos(state.theta) * state.rate * state.rate - body.down
 
 

@@ -66,7 +66,7 @@ def consistent(body, state):
 
 
 def stays(mode, other):
-    """Whether a mode keeps at zero what another lets go, and lets nothing go that the other keeps."""
+    """Whether a mode keeps at zero what another lets go, and nothing the other way round."""
     if FLIGHT in (mode, other):
         return False
     kept, other_kept = ((v.slips == 0, v.turns == 0) for v in (mode, other))

@@ -1,8 +1,8 @@
 """The rotation down a slope that repeats itself: what a turn gains from gravity, resistance takes.
 
-theta'^2 after a turn of rolling is found by the series of the balances; nothing here uses that it is
-linear in theta'^2 before it, but for the iteration, whose error is then that of rounding, and which
-is checked.
+theta'^2 after a turn of rolling is found by the series of the balances; nothing here uses that it
+is linear in theta'^2 before it, but for the iteration, whose error is then that of rounding, and
+which is checked.
 """
 
 from typing import NamedTuple
@@ -18,7 +18,10 @@ from .phase import Piece, events, first, series, state_at
 
 
 class Rotation(NamedTuple):
-    """theta'^2 of the periodic rotation at the top, its period, how much of a difference a turn leaves, and the largest |F|/N."""
+    """theta'^2 of the periodic rotation at the top, and what else is known of it.
+
+    Its period, how much of a difference a turn leaves, and the largest |F|/N.
+    """
 
     square_rate: mpfr
     period: mpfr
@@ -27,7 +30,10 @@ class Rotation(NamedTuple):
 
 
 def turn(body, square_rate, heading):
-    """(theta'^2 at the next top, time, largest |F|/N at the ends of the steps) of a hoop that rolls from the top."""
+    """A turn of a hoop that rolls from the top.
+
+    (theta'^2 at the next top, time, largest |F|/N at the ends of the steps).
+    """
     mode = contact_mode(0, heading)
     state = State(mpfr(0), heading * gmpy2.sqrt(square_rate), mpfr(0), mpfr(0))
     whole, time, demand = 2 * gmpy2.const_pi(), mpfr(0), mpfr(0)
@@ -49,7 +55,7 @@ def turn(body, square_rate, heading):
 
 
 def rotation(body, guess, heading):
-    """The periodic rotation, by the secant rule from two turns; a third must return where it began."""
+    """The periodic rotation, by the secant rule from two turns; a third must return."""
     guess = mpfr(guess)
     step = guess / 16
     here, there = (turn(body, v, heading)[0] for v in (guess, guess + step))

@@ -1,4 +1,4 @@
-"""An impact, followed in the normal impulse: at most as many segments as changes of slip and spin."""
+"""An impact in the normal impulse: at most as many segments as changes of slip and spin."""
 
 import itertools
 from typing import NamedTuple
@@ -77,7 +77,7 @@ def rates(body, theta, mode):
 
 
 def segment(body, theta, now):
-    """The segment that follows, and its rates: each is tried, and what is at rest stays so while it can."""
+    """The segment that follows, and its rates: each is tried; what rests does so while it can."""
     found = []
     for slips, turns in itertools.product(signs(now.slip), signs(now.rate)):
         mode = contact_mode(slips, turns)

@@ -46,7 +46,7 @@ class Transition(NamedTuple):
 
 
 class Phase(NamedTuple):
-    """A phase and what it consists of: pieces in contact, the state and the rate of the gap of a flight."""
+    """A phase and its parts: pieces in contact, the state and the rate of the gap of a flight."""
 
     mode: object
     begin: mpfr
@@ -70,7 +70,7 @@ class Motion(NamedTuple):
 
 
 def short_flight(body, state, gap_rate):
-    """A flight so short that its parabola is next to that without rotation, as `flight`: Newton's iteration."""
+    """A flight so short that it is nearly one without rotation, as `flight`: Newton's iteration."""
     s, c = gmpy2.sin_cos(state.theta)
     h, rate = body.h, state.rate
     up, along = gap_rate - h * s * rate, state.slip - rate - h * c * rate
@@ -107,7 +107,9 @@ def renamed(cause, before, after):
 
 
 def kept(modes, last):
-    """Of several modes those that a motion arrives at: it stays in contact, and holds what it held, while it can.
+    """Of several modes those that a motion arrives at.
+
+    It stays in contact, and holds what it held, while it can.
 
     `last` are the signs of slip and spin just before, in contact or at the end of an impact.
     """
@@ -136,7 +138,7 @@ class Walk:
         return Motion(self.transitions, self.phases, ended, modes, *end)
 
     def modes(self):
-        """The modes that may follow. A motion in contact keeps it while it can; a start need not."""
+        """The modes that may follow; a motion keeps its contact while it can, a start need not."""
         if self.gap_rate > 0:
             return [FLIGHT]
         if self.forced is not None:
@@ -156,7 +158,7 @@ class Walk:
             self.transitions[-1] = last._replace(to=mode, cause=renamed(last.cause, before, mode))
 
     def land(self, cause, closing):
-        """An impact, or one without a collision: False where the hoop has no coefficient of restitution."""
+        """An impact, or one without a collision: False without a coefficient of restitution."""
         before = Velocities(self.state.rate, self.state.slip, closing)
         if self.bounce is None:
             self.record(Transition(cause, self.time, self.state, self.lost, None, (before, None)))
@@ -206,7 +208,10 @@ class Walk:
 
 
 def follow(body, start, until, bounce=None, most=MOST):
-    """The motion from (theta, theta', eta', rate of the gap), with a coefficient of restitution and its law or without."""
+    """The motion from (theta, theta', eta', rate of the gap).
+
+    With a coefficient of restitution and its law or without.
+    """
     walk = Walk(body, start, until, bounce)
     while len(walk.transitions) < most:
         modes = walk.modes()

@@ -95,7 +95,7 @@ def series(body, mode, state):
 
 
 def roots_at_start(p):
-    """How many roots a velocity that begins at rest has there: one, or two where it begins without an acceleration."""
+    """How many roots a velocity that begins at rest has there: one, or two if it begins flat."""
     return 0 if p[0] else 1 if abs(p[1]) > TIE else 2
 
 
@@ -123,7 +123,10 @@ def events(body, mode, parts, length):
 
 
 def cone(body, mode, parts, way):
-    """mu_s + way F/N of a massless hoop that rolls, times its lever: h s N + (1 + h c) F = -K = chi sign(theta') N."""
+    """mu_s + way F/N of a massless hoop that rolls, times its lever.
+
+    By h s N + (1 + h c) F = -K = chi sign(theta') N.
+    """
     sine, cosine = ([v] for v in gmpy2.sin_cos(parts.theta[0]))
     for k in range(Work.order - 1):
         sine.append(conv(parts.rate, cosine, k) / (k + 1))
@@ -155,7 +158,7 @@ def state_at(piece, time):
 
 
 def phase(body, mode, state, begin, until):
-    """A phase from a time: (event with its time, state there, pieces). A rest goes on to the limit."""
+    """A phase from a time: (event with its time, state there, pieces); rests go to the limit."""
     pieces, now = [], begin
     for _ in range(Work.steps):
         parts = series(body, mode, state)

@@ -1,6 +1,6 @@
-"""Which sets of modes are possible at random states: the table of docs/theory/rolling-resistance.md.
+"""Which sets of modes are possible at random states: a table of docs/theory/rolling-resistance.md.
 
-    python3 -m resistance.survey [STATES]      a minute for 200,000 states a row, in double precision
+    python3 -m resistance.survey [STATES]     a minute for 200,000 states a row, in doubles
 
 The five balances of `balances.py` are solved for each mode; margins within rounding do not occur at
 random states.
@@ -101,7 +101,9 @@ def sets(b):
 def main(states):
     random = np.random.default_rng(54)
     for slope, slips, turns in itertools.product((0, 1), repeat=3):
-        where = f"{'slope' if slope else 'level'}, {'slips' if slips else 'no slip'}, {'turns' if turns else 'does not turn'}"
+        plane = "slope" if slope else "level"
+        spin = "turns" if turns else "does not turn"
+        where = f"{plane}, {'slips' if slips else 'no slip'}, {spin}"
         found = sets(draw(random, states, slope, slips, turns))
         print(where, dict(sorted(found.items(), key=lambda one: -one[1])), flush=True)
 

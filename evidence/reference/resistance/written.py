@@ -50,7 +50,7 @@ def transition(row):
 
 
 def middle(body, part):
-    """A sample at a double near the middle of a phase; none of a phase shorter than a double resolves."""
+    """A sample at a double near the middle of a phase; none if doubles do not resolve it."""
     time = float((part.begin + part.end) / 2)
     if not part.begin < time < part.end:
         return None

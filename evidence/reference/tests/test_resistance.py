@@ -1,4 +1,7 @@
-"""The program of rolling resistance: without it the older references, closed forms, energy, and the numbers of the theory."""
+"""The program of rolling resistance.
+
+Without it the older references; closed forms, energy, and the numbers of the theory.
+"""
 
 import itertools
 import json
@@ -108,7 +111,7 @@ def test_mirrored_starts_have_mirrored_motions(file):
 
 
 def energy(row, place, gap=0, gap_rate=0):
-    """Kinetic and potential energy of both bodies, from numbers as they are written, and the rounding of these."""
+    """Energy of both bodies, from numbers as they are written, and the rounding of these."""
     hoop = {name: mp.mpf(row["hoop"][name]) for name in NUMBERS}
     theta, rate, slip, x = (mp.mpf(place[name]) for name in PLACE)
     s, c, offset, m1 = mp.sin(theta), mp.cos(theta), hoop["offset"], hoop["mass_ratio"]
@@ -205,7 +208,7 @@ def swings(body, amplitude, until):
 
 
 def test_small_swings_lose_twice_the_arm_of_resistance():
-    """2 chi/h a half swing, to the square of the amplitude; the hoop rests where |h sin theta| <= chi."""
+    """2 chi/h a half swing, to the square of the amplitude; a rest where |h sin theta| <= chi."""
     body = Body(1.0, 0.6, 0.5, 0.9, 0.9, 3e-8)
     motion, found = swings(body, 1e-6, 1e4)
     for before, after in itertools.pairwise(found):

@@ -130,8 +130,4 @@ pub(crate) enum FigureFormat {
     Txt,
     /// Drawing as PDF
     Pdf,
-    /// Picture and caption in Markdown
-    Md,
-    /// Figure and caption in LaTeX, with the PDF
-    Tex,
 }

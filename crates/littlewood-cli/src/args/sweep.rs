@@ -61,7 +61,7 @@ Examples:
   littlewood map figure-3 --x theta=-pi:pi:500 --y theta_rate=-4:4:500 --shade sequence --curves \\
       --out phases.png
   littlewood map figure-3 --x theta_rate=0:3:300 --y mu=0.01:2:300:log --shade energy_lost \\
-      --contours --out lost.png
+      --out lost.png
   littlewood map figure-3 --x theta=-pi:pi:300 --y theta_rate=-4:4:300 --width-mm 84 \\
       --out outcomes.pdf
   littlewood map figure-3 --x theta=-pi:pi:150 --y theta_rate=-4:4:150 --shade end_x_by_mu_k \\
@@ -126,9 +126,6 @@ pub(crate) struct MapArgs {
     /// over a map of theta and theta_rate
     #[arg(long, help_heading = "Output")]
     pub(crate) curves: bool,
-    /// Draw lines of constant value at the ticks of the scale
-    #[arg(long, help_heading = "Output")]
-    pub(crate) contours: bool,
     /// Printed width in millimetres, such as 84 for a column and 178 for a page; a PNG then has 300
     /// pixels to the inch [default: the layout for a screen]
     #[arg(long, value_name = "MM", value_parser = number, help_heading = "Output")]

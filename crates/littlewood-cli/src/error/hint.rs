@@ -174,9 +174,6 @@ const fn of_picture(error: &PictureError) -> &'static str {
         PictureError::NotTwoAxes { .. } => "a map has one --x and one --y",
         PictureError::NoNumber { .. } => "give another --shade, such as lift_off_time",
         PictureError::NotComputed { .. } => "give it with --derivatives, too",
-        PictureError::NoScale { .. } => {
-            "leave out --contours, or give a --shade of numbers, such as lift_off_time"
-        }
         PictureError::NoCurves { .. } => {
             "leave out --curves, or give --x theta=-pi:pi:400 --y theta_rate=-4:4:400 with --slip 0"
         }

@@ -285,7 +285,7 @@ fn figures(draw: &mut Draw, setup: &Setup, limits: Limits) -> Vec<String> {
         "svg,csv",
         "png",
         "png,txt",
-        "pdf,md,tex",
+        "pdf,txt",
         "dvi",
     ]);
     words.extend(["--format".to_owned(), formats.to_owned()]);

@@ -6,8 +6,8 @@ use littlewood::modes::PhaseSolution;
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Cause, Mode, Phase, Transition};
 use littlewood_draw::{
-    Content, Entries, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, Piece, PlotAxis, SMALL,
-    SOFT, Scale, Series, Sheet, Stroke, short,
+    Content, Entries, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, PanelFrame, Piece, PlotAxis,
+    SMALL, SOFT, Scale, Series, Sheet, Stroke, short,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::CURVE;
@@ -248,7 +248,12 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let sheet = input.sheet(640.0)?;
     let [left, inner] = sheet.span();
     let mut bottom = 10.0 + sheet.height(250.0);
-    let frame = [left, 10.0, inner, bottom - 10.0];
+    let frame = PanelFrame {
+        left,
+        top: 10.0,
+        width: inner,
+        height: bottom - 10.0,
+    };
     let gap = gap_panel(&motion, range, &found, &settled);
     let mut panels = vec![Sheet::panel(frame, gap)];
     let rebounds = |landing: &Landing| landing.impact.after.gap_rate > 0.0;
@@ -259,7 +264,15 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         bottom = top + sheet.height(270.0);
         panels.push(Panel {
             keys,
-            ..Sheet::panel([left, top, inner, bottom - top], content)
+            ..Sheet::panel(
+                PanelFrame {
+                    left,
+                    top,
+                    width: inner,
+                    height: bottom - top,
+                },
+                content,
+            )
         });
         " Below: the rate of the gap just before and just after each landing."
     } else {

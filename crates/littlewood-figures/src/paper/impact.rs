@@ -391,7 +391,7 @@ fn caption(input: &FigureInput, state: State, impact: &Impact, compliance: Compl
         impulse(impact.impulse.friction),
         impulse(impact.impulse.normal),
         if gains { "gained by this law" } else { "lost" },
-        say.quantity(if gains { -lost } else { lost }, Dimension::Energy),
+        say.quantity(if gains { -lost } else { lost.max(0.0) }, Dimension::Energy),
         input.in_words()
     )
 }

@@ -11,7 +11,7 @@ use littlewood_draw::{
     key_of_curve, lift_off_condition, short,
 };
 use littlewood_style::{Curve, of_class};
-use littlewood_sweep::{Axis, Detail, Grid, Place, Region, Regions, Workers};
+use littlewood_sweep::{Axis, FOR_A_POINT, Grid, Place, Region, Regions, Workers};
 
 use crate::axes::plane_window;
 use crate::catalogue::Watch;
@@ -25,12 +25,10 @@ use crate::plane::Portrait;
 const NAME: &str = "outcomes";
 /// Width of the sheet on a screen, in pixels.
 const SHEET: f64 = 620.0;
-/// How closely boundaries are located where motions take long, in parts of the plane, and how often
-/// a cell is halved in which they meet: to a tenth of a pixel, and to a third.
-const WIDTH: f64 = 2e-4;
-const HALVINGS: u32 = 3;
-/// Motions that are followed for a start of the lattice, about.
-const FOR_A_START: u64 = 8;
+/// How closely boundaries are located, in parts of the plane, and where motions take long: to a
+/// tenth of a pixel.
+const WIDTH: f64 = 1e-6;
+const COARSE: f64 = 2e-4;
 /// Part of the plane that can be seen.
 const LEAST: f64 = 1e-7;
 /// Of a region of motions that go on after a landing: whether they have lifted off. Its class is in
@@ -50,7 +48,8 @@ struct Plan {
     limits: Limits,
     /// Starts to the right and upwards at which regions are looked for.
     starts: [usize; 2],
-    detail: Detail,
+    /// How closely boundaries are located.
+    width: f64,
 }
 
 impl Plan {
@@ -58,26 +57,18 @@ impl Plan {
         let engine = Engine::builder(&input.hoop).interpolate_slips().build();
         let effort = Effort::of(&input.hoop, input.limits, &engine);
         let limits = effort.cut(input.limits, &engine);
-        // Boundaries run through so many cells at most, and are located less closely where motions
-        // take long: still far closer than is seen.
-        let finest = Detail::default();
-        let coarser = |most| Detail {
-            most,
-            width: WIDTH,
-            halvings: HALVINGS,
-            ..finest
-        };
-        let (starts, detail) = match effort {
-            Effort::Tables => ([137, 101], finest),
-            Effort::Direct => ([91, 67], coarser(6_000)),
-            Effort::Chains | Effort::Bounces => ([45, 33], coarser(800)),
-            Effort::Simulated | Effort::Long => ([45, 33], coarser(1_500)),
-            Effort::Slow => ([31, 23], coarser(200)),
+        let (starts, width) = match effort {
+            Effort::Tables => ([401, 301], WIDTH),
+            Effort::Direct => ([201, 151], COARSE),
+            Effort::Chains | Effort::Bounces | Effort::Simulated | Effort::Long => {
+                ([109, 81], COARSE)
+            }
+            Effort::Slow => ([61, 45], COARSE),
         };
         Self {
             limits,
             starts,
-            detail,
+            width,
         }
     }
 }
@@ -99,7 +90,7 @@ fn regions_of(
         Setup::new(input.hoop.parameters(), Start::at(0.0, 0.0)),
         axes,
     )?;
-    let total = FOR_A_START * grid.len();
+    let total = FOR_A_POINT as u64 * grid.len();
     let mut told = |followed: u64| watch(followed.min(total), total);
     let fates = Fates::of(&input.hoop);
     let is_cut = Cell::new(false);
@@ -111,7 +102,7 @@ fn regions_of(
         &grid,
         &key,
         plan.limits,
-        &plan.detail,
+        plan.width,
         &Workers::new(None)?,
         &mut told,
     )?;

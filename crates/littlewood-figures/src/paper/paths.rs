@@ -4,8 +4,8 @@
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Entries, Figure, HATCH, INK, Label, Layer, Mark, Panel, PlotAxis, ROOM, SMALL, SOFT,
-    Scale, Series, Sheet, Stroke, short, tilted, width,
+    Content, Entries, Figure, HATCH, INK, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, ROOM,
+    SMALL, SOFT, Scale, Series, Sheet, Stroke, short, tilted, width,
 };
 use littlewood_style::width::{BOLD, FINE};
 
@@ -202,7 +202,16 @@ impl Picture {
         let top = 14.0 + room;
         let panel = Panel {
             keys,
-            ..Sheet::tilted([left, top, inner, height], content, self.slope)
+            ..Sheet::tilted(
+                PanelFrame {
+                    left,
+                    top,
+                    width: inner,
+                    height,
+                },
+                content,
+                self.slope,
+            )
         };
         self.sheet
             .figure(name, title, caption, top + height + 6.0, vec![panel])

@@ -3,7 +3,8 @@
 use core::f64::consts::PI;
 
 use littlewood_draw::{
-    Content, Figure, HATCH, INK, Label, Layer, Mark, PlotAxis, SOFT, Series, Sheet, Stroke, tilted,
+    Content, Figure, HATCH, INK, Label, Layer, Mark, PanelFrame, PlotAxis, SOFT, Series, Sheet,
+    Stroke, tilted,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -240,7 +241,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         layers: drawing.layers,
         labels: drawing.labels,
     };
-    let panel = Sheet::bare([0.0, 0.0, sheet.width, height], content, slope);
+    let panel = Sheet::bare(PanelFrame::from_corner(sheet.width, height), content, slope);
     Ok(sheet.figure(
         NAME,
         "Figure 1: the body",

@@ -7,7 +7,7 @@ use littlewood::theory::Window;
 use littlewood::{Cause, Mode, Sample, State, Transition};
 use littlewood_draw::{
     Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Layer, Mark, NORMAL_FORCE, PAPER,
-    Panel, REGION, SMALL, SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
+    Panel, PanelFrame, REGION, SMALL, SOFT, START, Series, Sheet, Stroke, TRANSITION, View, short,
 };
 use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash};
@@ -167,7 +167,7 @@ pub(crate) fn space(input: &FigureInput) -> Result<Figure, FigureError> {
     let sheet = input.sheet(620.0)?;
     let height = sheet.height(480.0);
     let mut panel = in_space(ranges, input.wording(), layers);
-    panel.frame = [0.0, 0.0, sheet.width, height];
+    panel.frame = PanelFrame::from_corner(sheet.width, height);
     // After the name of the plane.
     panel
         .labels
@@ -206,7 +206,7 @@ fn in_space(ranges: Ranges, say: Wording, layers: Vec<Layer>) -> Panel {
     Panel {
         image: None,
         name: "space of states",
-        frame: [0.0; 4],
+        frame: PanelFrame::from_corner(0.0, 0.0),
         view,
         layers,
         labels,
@@ -357,6 +357,6 @@ pub(crate) fn gliding(input: &FigureInput) -> Result<Figure, FigureError> {
         .map(|(frame, content)| Sheet::panel(frame, content))
         .collect();
     let title = "Figure 7(a): rolling, then gliding";
-    let bottom = frames[1][1] + height + 6.0;
+    let bottom = frames[1].top + height + 6.0;
     Ok(sheet.figure(NAME, title, caption, bottom, panels))
 }

@@ -3,8 +3,6 @@
 use littlewood::tables::{DerivativeColumn, SummaryColumn};
 use thiserror::Error;
 
-use super::shade::Shade;
-
 /// What is wrong with a picture.
 #[derive(Debug, Error)]
 #[expect(
@@ -21,8 +19,6 @@ pub enum PictureError {
     NoNumber { column: SummaryColumn },
     #[error("a map cannot shade {column}, which its grid does not compute")]
     NotComputed { column: DerivativeColumn },
-    #[error("a map of {} has no scale, and so no lines of constant value", shade.name())]
-    NoScale { shade: Shade },
     #[error(
         "the curves f and n are those of the plane of theta and theta_rate of one hoop without slip; of this map {reason}"
     )]

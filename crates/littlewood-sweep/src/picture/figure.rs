@@ -3,7 +3,8 @@
 use littlewood::tables::PhaseSequence;
 use littlewood_draw::{
     BOUNDARY, Content, DrawError, Figure, Image, LETTER, Label, Layer, Mark, PAPER, Panel,
-    PlotAxis, ROOM, SMALL, SOFT, Scale as Ticks, Series, Sheet, Stroke, Tick, View, width,
+    PanelFrame, PlotAxis, ROOM, SMALL, SOFT, Scale as Ticks, Series, Sheet, Stroke, Tick, View,
+    width,
 };
 use littlewood_style::width::FINE;
 use littlewood_style::{Curve, Rgb};
@@ -31,6 +32,8 @@ const BELOW: f64 = 6.0;
 const COLUMNS: [&str; 2] = ["right", "up"];
 /// Pixels by which a curve stands out from what is below it on either side.
 const MARGIN: f64 = 1.0;
+/// What is said where motions take long.
+const CUT: &str = "boundaries located less closely, as motions take long";
 /// Colours of a continuous scale.
 const COLOURS: usize = 128;
 /// Pixels of an image to one of a drawing for print.
@@ -70,7 +73,7 @@ fn axis(column: &'static str, title: &str, ticks: Option<Vec<Tick>>) -> PlotAxis
 }
 
 /// A panel without axes.
-fn bare(name: &'static str, frame: [f64; 4], labels: Vec<Label>, image: Option<Image>) -> Panel {
+fn bare(name: &'static str, frame: PanelFrame, labels: Vec<Label>, image: Option<Image>) -> Panel {
     let [x, y] = COLUMNS.map(|column| axis(column, "", None));
     let view = View::Plane {
         x,
@@ -106,7 +109,17 @@ fn heading(sheet: &Sheet, is_print: bool, title: &str, notes: &[Vec<String>]) ->
     };
     let mut labels = vec![label(title.to_owned()).sized(LETTER)];
     labels.extend(rows.map(|row| label(row).sized(SMALL).coloured(SOFT)));
-    let panel = bare("title", [begin, 4.0, inner, top], labels, None);
+    let panel = bare(
+        "title",
+        PanelFrame {
+            left: begin,
+            top: 4.0,
+            width: inner,
+            height: top,
+        },
+        labels,
+        None,
+    );
     (panel, top)
 }
 
@@ -140,7 +153,8 @@ impl Picture {
         };
         let title = title(self.shade, self.goes_on(), self.units.as_ref());
         let note = scale.as_ref().and_then(|scale| self.note_of_scale(scale));
-        let limits = note.into_iter().chain(self.note_of_cells()).collect();
+        let is_cut = self.is_cut.then(|| CUT.to_owned());
+        let limits = note.into_iter().chain(is_cut).collect();
         let notes = [self.fixed(), self.meanings(), limits];
 
         let (heading, mut top) = heading(&sheet, is_print, &title, &notes);
@@ -165,8 +179,16 @@ impl Picture {
             (high - top - BELOW).max(2.0 * ROOM[1])
         };
         let [left, inner] = sheet.span();
-        let content = self.content(&curves, scale.as_ref());
-        let mut panel = Sheet::panel([left, top, inner, height], content);
+        let content = self.content(&curves, scale.is_some());
+        let mut panel = Sheet::panel(
+            PanelFrame {
+                left,
+                top,
+                width: inner,
+                height,
+            },
+            content,
+        );
         if scale.is_some() || self.regions.regions.is_empty() {
             let [[left, top], [right, bottom]] = panel.axes_frame();
             let fineness = if is_print { FINENESS } else { pixels };
@@ -201,14 +223,19 @@ impl Picture {
         };
         bare(
             "scale",
-            [left + ROOM[0], top, inner - ROOM[0], BAR],
+            PanelFrame {
+                left: left + ROOM[0],
+                top,
+                width: inner - ROOM[0],
+                height: BAR,
+            },
             ticks.iter().map(label).collect(),
             Some(image),
         )
     }
 
     /// The axes, and what is drawn over them.
-    fn content(&self, curves: &[(Curve, Vec<Place>)], scale: Option<&Scale>) -> Content {
+    fn content(&self, curves: &[(Curve, Vec<Place>)], has_scale: bool) -> Content {
         let units = self.units.as_ref();
         let axes = self.grid.axes();
         let [x, y] = [0, 1].map(|k| {
@@ -224,27 +251,27 @@ impl Picture {
             name: "plane",
             x,
             y,
-            layers: self.layers(curves, scale),
+            layers: self.layers(curves, has_scale),
             labels: Vec::new(),
         }
     }
 
     /// All that is drawn over the axes.
-    fn layers(&self, curves: &[(Curve, Vec<Place>)], scale: Option<&Scale>) -> Vec<Layer> {
+    fn layers(&self, curves: &[(Curve, Vec<Place>)], has_scale: bool) -> Vec<Layer> {
         let turned = |line: &Vec<Place>| {
             line.iter()
                 .map(|place| self.upright(*place))
                 .collect::<Vec<_>>()
         };
         let mut layers: Vec<Layer> = Vec::new();
-        if scale.is_none() {
+        if !has_scale {
             for region in &self.regions.regions {
                 let outlines = region.outlines.iter().map(turned);
                 let series = Series::new(self.name_of(region.key), &COLUMNS, outlines);
                 layers.push(series.drawn(Mark::Region(self.colour_of(region.key))));
             }
         }
-        let stroke = if scale.is_some() {
+        let stroke = if has_scale {
             Stroke::solid(PAPER, FINE)
         } else {
             BOUNDARY
@@ -256,13 +283,6 @@ impl Picture {
             .map(|boundary| turned(&boundary.points))
             .collect();
         layers.push(lines("boundary", &boundaries, stroke));
-        if let Some(scale) = scale {
-            layers.push(lines(
-                "contour",
-                &self.contours(scale),
-                Stroke::solid(PAPER, FINE),
-            ));
-        }
         for curve in Curve::ALL {
             let own: Vec<Vec<Place>> = curves
                 .iter()

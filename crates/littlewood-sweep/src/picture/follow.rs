@@ -11,47 +11,17 @@ use crate::columns::Columns;
 use crate::compute::{Halt, Points, Workers};
 use crate::error::SweepError;
 use crate::options::Options;
-use crate::regions::{Detail, Lattice, Place, Regions};
+use crate::regions::{Place, Regions};
 use crate::watch::Ledger;
 
-/// How closely boundaries are followed.
-struct Fineness {
-    /// Cells in which they are followed, across the map: where they are closer, corners are cut.
-    cells: usize,
-    /// How closely each is located, in parts of the map.
-    width: f64,
-    /// How often a cell is halved in which they meet.
-    halvings: u32,
-    /// Motions that are followed for each cell across the map; twice as many as usual, for those
-    /// along boundaries take longer than others.
-    motions_of_a_cell: f64,
-    /// What all motions may take. A unit is about a microsecond: a transition, or a slide of length
-    /// 3 (the length that [`littlewood::Limits::slides`] counts).
-    work: f64,
-}
+/// How closely boundaries are located, in parts of the map: for pixels to less than one, for vectors
+/// as closely as can be seen at any size.
+const PIXELS: f64 = 5e-4;
+const VECTORS: f64 = 1e-6;
 
-/// For pixels: to less than one, which the middle is within half of. Where boundaries meet, cells
-/// are not halved much beyond pixels either: motions there may have thousands of phases.
-const PIXELS: Fineness = Fineness {
-    cells: 240,
-    width: 5e-4,
-    halvings: 1,
-    motions_of_a_cell: 100.0,
-    work: 3e6,
-};
-
-/// For drawings in vectors: as closely as they can be.
-const VECTORS: Fineness = Fineness {
-    cells: 480,
-    width: 1e-6,
-    halvings: 6,
-    motions_of_a_cell: 240.0,
-    work: 6e6,
-};
-
-/// Parts of a cell of the grid, and cells across the map of slow motions, at least.
-const MOST_PARTS: usize = 64;
-const FEWEST_CELLS: usize = 4;
+/// What the motions may take that are followed to locate boundaries. A unit is about a microsecond:
+/// a transition, or a slide of length 3 (the length that [`littlewood::Limits::slides`] counts).
+const WORK: f64 = 3e6;
 
 /// The longest slide that is followed: whole turns of a longer one are skipped.
 const LONGEST_SLIDE: f64 = 32.0;
@@ -60,21 +30,17 @@ const LONGEST_SLIDE: f64 = 32.0;
 const SHORT: f64 = 100.0;
 const SHARE_WITH_TABLES: f64 = 0.1;
 
-/// Starts to either side of the lattice by which it is seen how long motions take.
-const SURVEYED: usize = 8;
+/// Motions that are followed at once: some to see how long they take, then those of a part of the
+/// work.
+const FIRST: usize = 16;
+const AT_ONCE: f64 = 0.05 * WORK;
 
-/// Motions that are followed at once, in parts of all that the work allows; and in the survey.
-const AT_ONCE: f64 = 0.05;
-const AT_ONCE_IN_SURVEY: usize = 16;
-
-/// Follows motions between the points of a grid, until that has taken too long.
+/// Follows motions between the points of a grid.
 struct Follower<'a> {
     picture: &'a Picture,
     workers: &'a Workers,
     ledger: &'a Ledger<'a>,
-    usual: Fineness,
     is_one_hoop: bool,
-    at_once: usize,
     /// Motions that were followed, and the work that they took.
     motions: usize,
     work: f64,
@@ -83,7 +49,7 @@ struct Follower<'a> {
 impl Picture {
     /// Follows the boundaries between colours as curves: between neighbours of the grid that
     /// differ, motions are computed. The work is bounded: where motions take long, boundaries are
-    /// followed in fewer cells, which the key says. The result does not depend on the number of
+    /// located less closely, which the key says. The result does not depend on the number of
     /// threads. Cancelled, it returns false and leaves the picture as it is, and so it does where
     /// not every point has been added.
     ///
@@ -99,16 +65,16 @@ impl Picture {
             picture: self,
             workers,
             ledger: &ledger,
-            usual: if self.is_in_vectors { VECTORS } else { PIXELS },
             is_one_hoop: !self.grid.axes().iter().any(Axis::is_of_the_hoop),
-            at_once: AT_ONCE_IN_SURVEY,
             motions: 0,
             work: 0.0,
         };
-        match follower.regions() {
-            Ok(found) => {
-                self.regions = found.regions;
-                self.followed_cells = found.is_coarse.then_some(self.regions.cells);
+        let width = if self.is_in_vectors { VECTORS } else { PIXELS };
+        let found = Regions::find(&self.lattice(), width, &mut |places| follower.keys(places));
+        let is_cut = follower.is_over();
+        match found {
+            Ok(regions) => {
+                (self.regions, self.is_cut) = (regions, is_cut);
                 Ok(true)
             }
             Err(Halt::Cancelled) => Ok(false),
@@ -117,52 +83,25 @@ impl Picture {
     }
 }
 
-/// The regions of a map, and whether the work was too much for what is usual.
-struct Found {
-    regions: Regions,
-    is_coarse: bool,
-}
-
 impl Follower<'_> {
-    fn regions(&mut self) -> Result<Found, Halt> {
-        let survey = Lattice::even([SURVEYED; 2], |_| 0).all_places();
-        self.keys(&survey)?;
-        let usual = &self.usual;
-        let motions = usual.work * self.motions as f64 / self.work;
-        let allowed = (motions / usual.motions_of_a_cell) as usize;
-        self.at_once = (AT_ONCE * motions) as usize + 1;
-        let cells = usual.cells.min(allowed.max(FEWEST_CELLS));
-        let detail = Detail {
-            parts: self.parts(cells),
-            width: usual.width,
-            halvings: usual.halvings,
-            ..Detail::default()
-        };
-        let lattice = self.picture.lattice();
-        let regions = Regions::find(&lattice, &detail, &mut |places| self.keys(places))?;
-        let is_coarse = detail.parts < self.parts(self.usual.cells) || self.is_over();
-        Ok(Found { regions, is_coarse })
-    }
-
-    /// Parts of a cell of the grid, so that there are so many across the map.
-    fn parts(&self, cells: usize) -> usize {
-        let parts = self.picture.counts.map(|count| cells.div_ceil(count - 1));
-        parts[0].max(parts[1]).next_power_of_two().min(MOST_PARTS)
-    }
-
-    fn is_over(&self) -> bool {
-        self.work > self.usual.work
-    }
-
     fn keys(&mut self, places: &[Place]) -> Result<Option<Vec<u64>>, Halt> {
         let mut keys = Vec::with_capacity(places.len());
-        for some in places.chunks(self.at_once) {
+        while keys.len() < places.len() {
             if self.is_over() {
                 return Ok(None);
             }
-            keys.extend(self.follow(some)?);
+            let count = match self.motions {
+                0 => FIRST,
+                motions => (AT_ONCE * motions as f64 / self.work) as usize + 1,
+            };
+            let rest = &places[keys.len()..];
+            keys.extend(self.follow(&rest[..count.min(rest.len())])?);
         }
         Ok(Some(keys))
+    }
+
+    fn is_over(&self) -> bool {
+        self.work > WORK
     }
 
     /// Follows motions as far as their colours ask for.

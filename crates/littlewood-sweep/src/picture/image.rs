@@ -136,7 +136,6 @@ mod tests {
             &Regions {
                 regions: vec![ring],
                 boundaries: Vec::new(),
-                cells: [0; 2],
             },
             [10, 10],
         );

@@ -102,21 +102,12 @@ impl Picture {
             (scale.kind == Kind::Log, "logarithmic scale"),
             (scale.beyond[0], "smaller values as at the left end"),
             (scale.beyond[1], "larger values as at the right end"),
-            (self.has_contours, "lines at the ticks"),
         ];
         let text: Vec<&str> = parts
             .into_iter()
             .filter_map(|(holds, text)| holds.then_some(text))
             .collect();
         (!text.is_empty()).then(|| text.join("; "))
-    }
-
-    /// What the length of motions has limited.
-    pub(super) fn note_of_cells(&self) -> Option<String> {
-        let [right, up] = self.followed_cells?;
-        Some(format!(
-            "boundaries followed in {right} × {up} cells, as motions take long"
-        ))
     }
 
     fn entries_of_scale(&self, scale: Option<&Scale>) -> Vec<Entry> {

@@ -60,16 +60,14 @@ pub struct Picture {
     /// Units of what is printed; none where it is dimensionless.
     pub(super) units: Option<Units>,
     pub(super) has_curves: bool,
-    pub(super) has_contours: bool,
     pub(super) is_in_vectors: bool,
     /// Cells to the right and upwards.
     pub(super) counts: [usize; 2],
     pub(super) cells: Vec<Cell>,
     /// The regions of one colour, once their boundaries have been followed.
     pub(super) regions: Regions,
-    /// Cells to the right and upwards in which they were followed, if motions take too long for as
-    /// many as usual.
-    pub(super) followed_cells: Option<[usize; 2]>,
+    /// Whether motions took too long to locate their boundaries closely.
+    pub(super) is_cut: bool,
     tally: Tally,
     /// Points of each sequence, for a map of sequences.
     pub(super) sequences: HashMap<u64, u64>,
@@ -129,16 +127,14 @@ impl Picture {
             size,
             units: None,
             has_curves: false,
-            has_contours: false,
             is_in_vectors: false,
             counts,
             cells: vec![Cell::NOT_COMPUTED; counts[0] * counts[1]],
             regions: Regions {
                 regions: Vec::new(),
                 boundaries: Vec::new(),
-                cells: [0; 2],
             },
-            followed_cells: None,
+            is_cut: false,
             tally: Tally::default(),
             sequences: HashMap::new(),
             ranking: Vec::new(),
@@ -199,18 +195,6 @@ impl Picture {
     pub fn with_curves(mut self) -> Result<Self, PictureError> {
         self.check_curves()?;
         self.has_curves = true;
-        Ok(self)
-    }
-
-    /// With lines at the ticks of the scale.
-    ///
-    /// # Errors
-    /// If what is shown is not on a scale.
-    pub fn with_contours(mut self) -> Result<Self, PictureError> {
-        if !self.shade.is_on_a_scale() {
-            return Err(PictureError::NoScale { shade: self.shade });
-        }
-        self.has_contours = true;
         Ok(self)
     }
 

@@ -1,7 +1,6 @@
 //! A map as a picture: two axes, a colour for every point, a legend.
 
 mod cells;
-mod contours;
 mod curves;
 mod error;
 mod figure;

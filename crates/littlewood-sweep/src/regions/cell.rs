@@ -1,190 +1,82 @@
-//! A cell, its sides with what crosses them, and the boundaries in it.
+//! Where keys change along the sides of the cells of a lattice, and the boundaries in the cells.
 
-use super::{Ask, Place};
+use std::collections::{BTreeMap, BTreeSet};
 
-/// Crossings of a side at most: more are taken as one.
+use super::{Ask, Lattice, Place};
+
+/// A corner of the lattice, or the cell to the right of it and above it.
+type Corner = [usize; 2];
+
+/// Crossings of a side at most.
 const CROSSINGS: usize = 3;
 
-/// A place at which the key changes along a side.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Crossing {
-    pub(super) node: usize,
-    /// Its coordinate along the side.
-    pub(super) at: f64,
-    /// The keys before and after it, as the coordinate grows.
-    pub(super) keys: [u64; 2],
-}
-
-/// A side of a cell, in the direction in which its coordinate grows.
-#[derive(Clone, Debug)]
-pub(super) struct Side {
-    /// The keys of its ends.
-    pub(super) keys: [u64; 2],
-    pub(super) crossings: Vec<Crossing>,
+/// A side of a cell by its first corner and the axis along which it runs.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Side {
+    corner: Corner,
+    axis: usize,
 }
 
 impl Side {
-    fn key_at(&self, at: f64) -> u64 {
-        self.crossings
-            .iter()
-            .rev()
-            .find(|crossing| crossing.at < at)
-            .map_or(self.keys[0], |last| last.keys[1])
+    const fn new(corner: Corner, axis: usize) -> Self {
+        Self { corner, axis }
     }
 
-    fn cut(&self, at: f64) -> [Self; 2] {
-        let key = self.key_at(at);
-        let (before, after) = self.crossings.iter().partition(|crossing| crossing.at < at);
+    const fn ends(self) -> [Corner; 2] {
+        let [x, y] = self.corner;
         [
-            Self {
-                keys: [self.keys[0], key],
-                crossings: before,
-            },
-            Self {
-                keys: [key, self.keys[1]],
-                crossings: after,
+            self.corner,
+            if self.axis == 0 {
+                [x + 1, y]
+            } else {
+                [x, y + 1]
             },
         ]
     }
-}
 
-/// The ends of a side and their keys.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Span {
-    pub(super) ends: [Place; 2],
-    pub(super) keys: [u64; 2],
-}
-
-impl Span {
-    fn axis(&self) -> usize {
-        usize::from(self.ends[0][0] == self.ends[1][0])
-    }
-}
-
-/// What is looked for between two places of a side that differ.
-struct Search {
-    side: usize,
-    range: [f64; 2],
-    keys: [u64; 2],
-}
-
-/// The sides of cells while it is found where keys change along them.
-struct Crossings<'a> {
-    spans: &'a [Span],
-    width: f64,
-    sides: Vec<Side>,
-    nodes: &'a mut Vec<Place>,
-}
-
-impl Crossings<'_> {
-    fn place(&self, side: usize, at: f64) -> Place {
-        let mut place = self.spans[side].ends[0];
-        place[self.spans[side].axis()] = at;
-        place
+    /// All sides of a lattice of so many cells.
+    fn all([right, top]: [usize; 2]) -> impl Iterator<Item = Self> {
+        let corners = (0..=top).flat_map(move |y| (0..=right).map(move |x| [x, y]));
+        corners
+            .flat_map(|corner| [0, 1].map(|axis| Self::new(corner, axis)))
+            .filter(move |side| {
+                let [_, [x, y]] = side.ends();
+                x <= right && y <= top
+            })
     }
 
-    /// Ends a search, and returns what is still to be searched on its side.
-    fn end(&mut self, search: &Search) -> Option<Search> {
-        let Search {
-            side,
-            range,
-            keys: [before, mut after],
-        } = *search;
-        let span = self.spans[side];
-        let (end, last) = (span.ends[1][span.axis()], span.keys[1]);
-        // The keys of a side lead to that of its end.
-        if self.sides[side].crossings.len() + 1 == CROSSINGS || range[1] + self.width >= end {
-            after = last;
-        }
-        if before != after {
-            let at = middle(range);
-            self.sides[side].crossings.push(Crossing {
-                node: self.nodes.len(),
-                at,
-                keys: [before, after],
-            });
-            self.nodes.push(self.place(side, at));
-        }
-        (after != last).then(|| Search {
-            side,
-            range: [range[1], end],
-            keys: [after, last],
-        })
-    }
-}
-
-/// Finds where keys change along sides, by bisection of all of them at once. Where nothing is
-/// answered any more, they change in the middle of what is left.
-pub(super) fn crossed<E>(
-    spans: &[Span],
-    nodes: &mut Vec<Place>,
-    width: f64,
-    ask: &mut Ask<'_, E>,
-) -> Result<Vec<Side>, E> {
-    let side = |span: &Span| Side {
-        keys: span.keys,
-        crossings: Vec::new(),
-    };
-    let mut crossings = Crossings {
-        spans,
-        width,
-        sides: spans.iter().map(side).collect(),
-        nodes,
-    };
-    let mut searches: Vec<Search> = spans
-        .iter()
-        .enumerate()
-        .filter(|(_, span)| span.keys[0] != span.keys[1])
-        .map(|(side, span)| Search {
-            side,
-            range: span.ends.map(|end| end[span.axis()]),
-            keys: span.keys,
-        })
-        .collect();
-    while !searches.is_empty() {
-        let middles: Vec<Place> = searches
-            .iter()
-            .map(|search| crossings.place(search.side, middle(search.range)))
-            .collect();
-        let Some(keys) = ask(&middles)? else {
-            while !searches.is_empty() {
-                searches = searches
-                    .iter()
-                    .filter_map(|search| crossings.end(search))
-                    .collect();
-            }
-            break;
+    /// The cells on either side of it, of so many.
+    fn beside(self, [right, top]: [usize; 2]) -> impl Iterator<Item = Corner> {
+        let [x, y] = self.corner;
+        let other = if self.axis == 0 {
+            y.checked_sub(1).map(|y| [x, y])
+        } else {
+            x.checked_sub(1).map(|x| [x, y])
         };
-        let mut next = Vec::new();
-        for (mut search, key) in searches.into_iter().zip(keys) {
-            let at = middle(search.range);
-            if key == search.keys[0] {
-                search.range[0] = at;
-            } else {
-                search.range[1] = at;
-                search.keys[1] = key;
-            }
-            if search.range[1] - search.range[0] > width {
-                next.push(search);
-            } else {
-                next.extend(crossings.end(&search));
-            }
-        }
-        searches = next;
+        other
+            .into_iter()
+            .chain([[x, y]])
+            .filter(move |[x, y]| *x < right && *y < top)
     }
-    Ok(crossings.sides)
 }
 
-fn middle(range: [f64; 2]) -> f64 {
-    0.5 * (range[0] + range[1])
+/// The sides of a cell counterclockwise from its lower left corner, each with whether that is
+/// against the direction in which its coordinate grows.
+const fn around([x, y]: Corner) -> [(Side, bool); 4] {
+    [
+        (Side::new([x, y], 0), false),
+        (Side::new([x + 1, y], 1), false),
+        (Side::new([x, y + 1], 0), true),
+        (Side::new([x, y], 1), true),
+    ]
 }
 
-/// A rectangle, with its sides below, on the right, above and on the left.
-#[derive(Clone, Debug)]
-pub(super) struct Cell {
-    pub(super) low: Place,
-    pub(super) high: Place,
-    pub(super) sides: [Side; 4],
+/// A place at which the key changes along a side.
+#[derive(Clone, Copy)]
+struct Crossing {
+    node: usize,
+    /// The keys before it and after it.
+    keys: [u64; 2],
 }
 
 /// A straight part of a boundary, between two nodes, with the keys on its left and on its right.
@@ -194,136 +86,179 @@ pub(super) struct Segment {
     pub(super) sides: [u64; 2],
 }
 
-impl Cell {
-    /// The nodes of its sides counterclockwise from the lower left corner, each with the keys
-    /// before and after it.
-    pub(super) fn around(&self) -> Vec<(usize, [u64; 2])> {
-        let [below, right, above, left] = &self.sides;
-        let forward = |side: &Side| {
-            side.crossings
-                .iter()
-                .map(|one| (one.node, one.keys))
-                .collect::<Vec<_>>()
-        };
-        let back = |side: &Side| {
-            side.crossings
-                .iter()
-                .rev()
-                .map(|one| (one.node, [one.keys[1], one.keys[0]]))
-                .collect::<Vec<_>>()
-        };
-        [forward(below), forward(right), back(above), back(left)].concat()
-    }
+/// A node of the border of the plane, and the key from there on.
+#[derive(Clone, Copy)]
+pub(super) struct Stop {
+    pub(super) node: usize,
+    pub(super) key: u64,
+}
 
-    fn centre(&self) -> Place {
-        [0, 1].map(|k| middle([self.low[k], self.high[k]]))
-    }
+/// A part of a side along which it is looked for where its first key ends.
+struct Search {
+    side: Side,
+    range: [f64; 2],
+    keys: [u64; 2],
+}
 
-    /// The sides between its quarters, from a key in the middle: left, right, lower, upper.
-    fn cross(&self, key: u64) -> [Span; 4] {
-        let [x, y] = self.centre();
-        let [below, right, above, left] = &self.sides;
-        [
-            Span {
-                ends: [[self.low[0], y], [x, y]],
-                keys: [left.key_at(y), key],
-            },
-            Span {
-                ends: [[x, y], [self.high[0], y]],
-                keys: [key, right.key_at(y)],
-            },
-            Span {
-                ends: [[x, self.low[1]], [x, y]],
-                keys: [below.key_at(x), key],
-            },
-            Span {
-                ends: [[x, y], [x, self.high[1]]],
-                keys: [key, above.key_at(x)],
-            },
-        ]
-    }
-
-    fn quarters(&self, cross: &[Side]) -> [Self; 4] {
-        let [x, y] = self.centre();
-        let [below, right, above, left] = &self.sides;
-        let ([below_left, below_right], [above_left, above_right]) = (below.cut(x), above.cut(x));
-        let ([left_low, left_high], [right_low, right_high]) = (left.cut(y), right.cut(y));
-        let inner = |i: usize| cross[i].clone();
-        let cell = |low: Place, high: Place, sides: [Side; 4]| Self { low, high, sides };
-        [
-            cell(self.low, [x, y], [below_left, inner(2), inner(0), left_low]),
-            cell(
-                [x, self.low[1]],
-                [self.high[0], y],
-                [below_right, right_low, inner(1), inner(2)],
-            ),
-            cell(
-                [self.low[0], y],
-                [x, self.high[1]],
-                [inner(0), inner(3), above_left, left_high],
-            ),
-            cell(
-                [x, y],
-                self.high,
-                [inner(1), right_high, above_right, inner(3)],
-            ),
-        ]
+impl Search {
+    fn middle(&self) -> f64 {
+        0.5 * (self.range[0] + self.range[1])
     }
 }
 
-/// Cells that are halved at once, at most: boundaries meet in few places, or everywhere.
-const MEETING: usize = 1_000;
+/// The sides of a lattice along which keys change.
+pub(super) struct Crossings<'a> {
+    lattice: &'a Lattice,
+    pub(super) nodes: Vec<Place>,
+    /// Of each side as its coordinate grows.
+    crossings: BTreeMap<Side, Vec<Crossing>>,
+}
 
-/// The boundaries in cells. A cell in which they meet is halved so many times; in the last one they
-/// meet in its middle.
-pub(super) fn segments<E>(
-    cells: Vec<Cell>,
-    halvings: u32,
-    nodes: &mut Vec<Place>,
-    width: f64,
-    ask: &mut Ask<'_, E>,
-) -> Result<Vec<Segment>, E> {
-    let mut segments = Vec::new();
-    let mut level = cells;
-    for left in (0..=halvings).rev() {
-        let is_meeting = |cell: &&Cell| cell.around().len() > 2;
-        let centres: Vec<Place> = level.iter().filter(is_meeting).map(Cell::centre).collect();
-        let is_halved = left > 0 && (1..=MEETING).contains(&centres.len());
-        let keys = if is_halved { ask(&centres)? } else { None };
-        let mut meeting = Vec::new();
-        for cell in level {
-            match cell.around()[..] {
-                [] | [_] => {}
-                // The second key is to the left on the way back to the first crossing.
-                [(first, sides), (second, _)] => {
-                    segments.push(Segment {
-                        nodes: [second, first],
-                        sides: [sides[1], sides[0]],
-                    });
-                }
-                ref around if keys.is_none() => {
-                    let hub = nodes.len();
-                    nodes.push(cell.centre());
-                    segments.extend(around.iter().map(|&(node, [before, after])| Segment {
-                        nodes: [hub, node],
-                        sides: [after, before],
-                    }));
-                }
-                _ => meeting.push(cell),
+impl<'a> Crossings<'a> {
+    /// Finds them by bisection of all sides at once, each to a width. Where that comes upon a third
+    /// key, as of a narrow band between two regions, both its ends are looked for. Once nothing is
+    /// answered any more, keys change in the middle of what is left.
+    pub(super) fn find<E>(
+        lattice: &'a Lattice,
+        width: f64,
+        ask: &mut Ask<'_, E>,
+    ) -> Result<Self, E> {
+        let place = |side: Side, at: f64| {
+            let mut place = lattice.place(side.corner);
+            place[side.axis] = at;
+            place
+        };
+        let differs = |side: Side| {
+            let keys = side.ends().map(|corner| lattice.key(corner));
+            (keys[0] != keys[1]).then(|| Search {
+                side,
+                range: side.ends().map(|corner| lattice.place(corner)[side.axis]),
+                keys,
+            })
+        };
+        let mut searches: Vec<Search> = Side::all(lattice.cells()).filter_map(differs).collect();
+        let mut counts: BTreeMap<Side, usize> = BTreeMap::new();
+        loop {
+            let mut open: Vec<&mut Search> = searches
+                .iter_mut()
+                .filter(|search| search.range[1] - search.range[0] > width)
+                .collect();
+            let middles: Vec<Place> = open
+                .iter()
+                .map(|search| place(search.side, search.middle()))
+                .collect();
+            if middles.is_empty() {
+                break;
             }
+            let Some(keys) = ask(&middles)? else { break };
+            let mut more = Vec::new();
+            for (search, key) in open.iter_mut().zip(keys) {
+                let (side, middle, [first, last]) = (search.side, search.middle(), search.keys);
+                if key != first && key != last {
+                    let count = counts.entry(side).or_insert(1);
+                    if *count < CROSSINGS {
+                        *count += 1;
+                        more.push(Search {
+                            side,
+                            range: [middle, search.range[1]],
+                            keys: [key, last],
+                        });
+                        search.keys[1] = key;
+                    }
+                }
+                search.range[usize::from(key != first)] = middle;
+            }
+            searches.extend(more);
         }
-        let Some(keys) = keys else { break };
-        let spans: Vec<Span> = meeting
+        searches.sort_by(|a, b| (a.side.cmp(&b.side)).then(a.range[0].total_cmp(&b.range[0])));
+        let nodes = searches
             .iter()
-            .zip(keys)
-            .flat_map(|(cell, key)| cell.cross(key))
+            .map(|search| place(search.side, search.middle()))
             .collect();
-        let inner = crossed(&spans, nodes, width, ask)?;
-        level = meeting
-            .iter()
-            .zip(inner.chunks(4))
-            .flat_map(|(cell, cross)| cell.quarters(cross))
-            .collect();
+        let mut crossings: BTreeMap<Side, Vec<Crossing>> = BTreeMap::new();
+        for (node, Search { side, keys, .. }) in searches.into_iter().enumerate() {
+            let found = crossings.entry(side).or_default();
+            found.push(Crossing { node, keys });
+        }
+        Ok(Self {
+            lattice,
+            nodes,
+            crossings,
+        })
     }
-    Ok(segments)
+
+    /// The crossings of a side in the order of a walk around a cell.
+    fn on(&self, (side, is_back): (Side, bool)) -> Vec<Crossing> {
+        let mut found = self.crossings.get(&side).cloned().unwrap_or_default();
+        if is_back {
+            found.reverse();
+            found
+                .iter_mut()
+                .for_each(|crossing| crossing.keys.reverse());
+        }
+        found
+    }
+
+    fn add_node(&mut self, place: Place) -> usize {
+        self.nodes.push(place);
+        self.nodes.len() - 1
+    }
+
+    /// The boundaries in all cells: each from where a region begins on the walk around the cell to
+    /// where it ends. Those of three regions and more meet in the middle.
+    pub(super) fn segments(&mut self) -> Vec<Segment> {
+        let cells = self.lattice.cells();
+        let sides = self.crossings.keys();
+        let crossed: BTreeSet<Corner> = sides.flat_map(|side| side.beside(cells)).collect();
+        let mut segments = Vec::new();
+        for cell in crossed {
+            let mut open: Vec<Crossing> = Vec::new();
+            for crossing in around(cell).into_iter().flat_map(|side| self.on(side)) {
+                let [before, after] = crossing.keys;
+                match open.pop_if(|first| first.keys == [after, before]) {
+                    // The key between them is to the left on the way back to the first.
+                    Some(first) => segments.push(Segment {
+                        nodes: [crossing.node, first.node],
+                        sides: [before, after],
+                    }),
+                    None => open.push(crossing),
+                }
+            }
+            if open.is_empty() {
+                continue;
+            }
+            let [low, high] = [cell, cell.map(|k| k + 1)].map(|corner| self.lattice.place(corner));
+            let hub = self.add_node([0, 1].map(|k| 0.5 * (low[k] + high[k])));
+            segments.extend(open.into_iter().map(|Crossing { node, keys }| Segment {
+                nodes: [hub, node],
+                sides: [keys[1], keys[0]],
+            }));
+        }
+        segments
+    }
+
+    /// The border counterclockwise: its corners and what crosses it.
+    pub(super) fn border(&mut self) -> Vec<Stop> {
+        let [right, top] = self.lattice.cells();
+        let below = (0..right).map(|x| (Side::new([x, 0], 0), false));
+        let beside = (0..top).map(|y| (Side::new([right, y], 1), false));
+        let above = (0..right).rev().map(|x| (Side::new([x, top], 0), true));
+        let left = (0..top).rev().map(|y| (Side::new([0, y], 1), true));
+        let mut stops = Vec::new();
+        for one in below.chain(beside).chain(above).chain(left) {
+            let (side, is_back) = one;
+            let [x, y] = side.ends()[usize::from(is_back)];
+            if (x == 0 || x == right) && (y == 0 || y == top) {
+                let key = self.lattice.key([x, y]);
+                let node = self.add_node(self.lattice.place([x, y]));
+                stops.push(Stop { node, key });
+            }
+            stops.extend(
+                self.on(one)
+                    .into_iter()
+                    .map(|Crossing { node, keys }| Stop { node, key: keys[1] }),
+            );
+        }
+        stops
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::cell::{Cell, Segment};
+use super::cell::{Segment, Stop};
 use super::{Boundary, Place, Region};
 
 /// A boundary between two nodes at which others end, or a closed one.
@@ -39,17 +39,19 @@ impl Step<'_> {
     }
 }
 
-/// The regions and boundaries of segments between nodes.
+/// How far a curve may be from its chords.
+const FLAT: f64 = 1.5e-4;
+
+/// The regions and boundaries of segments between nodes, and of the border counterclockwise.
 pub(super) fn regions(
-    mut nodes: Vec<Place>,
+    nodes: &[Place],
     segments: &[Segment],
-    frame: &Cell,
-    flat: f64,
+    border: &[Stop],
 ) -> (Vec<Region>, Vec<Boundary>) {
-    let arcs: Vec<Arc> = arcs(&nodes, segments)
+    let arcs: Vec<Arc> = arcs(nodes, segments)
         .into_iter()
         .map(|arc| Arc {
-            points: thinned(&arc.points, flat),
+            points: thinned(&arc.points, FLAT),
             ..arc
         })
         .filter(|arc| arc.nodes[0] != arc.nodes[1] || arc.points.len() > 3)
@@ -67,8 +69,11 @@ pub(super) fn regions(
             points: back,
         });
     }
-    for (key, piece) in border(frame, &mut nodes) {
-        pieces.entry(key).or_default().push(piece);
+    for (from, to) in border.iter().zip(border.iter().cycle().skip(1)) {
+        pieces.entry(from.key).or_default().push(Piece {
+            nodes: [from.node, to.node],
+            points: vec![nodes[from.node], nodes[to.node]],
+        });
     }
     let regions = pieces
         .into_iter()
@@ -177,40 +182,6 @@ fn distance(place: Place, a: Place, b: Place) -> f64 {
 struct Piece {
     nodes: [usize; 2],
     points: Vec<Place>,
-}
-
-/// The border counterclockwise, cut at its corners and where boundaries end.
-fn border(frame: &Cell, nodes: &mut Vec<Place>) -> Vec<(u64, Piece)> {
-    let [low, high] = [frame.low, frame.high];
-    let corners = [low, [high[0], low[1]], high, [low[0], high[1]]].map(|corner| {
-        nodes.push(corner);
-        nodes.len() - 1
-    });
-    let [below, right, above, left] = &frame.sides;
-    let mut stops: Vec<(usize, u64)> = Vec::new();
-    for (i, (side, back)) in [(below, false), (right, false), (above, true), (left, true)]
-        .into_iter()
-        .enumerate()
-    {
-        stops.push((corners[i], side.keys[usize::from(back)]));
-        let after = |one: &super::cell::Crossing| (one.node, one.keys[usize::from(!back)]);
-        if back {
-            stops.extend(side.crossings.iter().rev().map(after));
-        } else {
-            stops.extend(side.crossings.iter().map(after));
-        }
-    }
-    let next = stops.iter().cycle().skip(1);
-    let pieces = stops.iter().zip(next).map(|(&(from, key), &(to, _))| {
-        (
-            key,
-            Piece {
-                nodes: [from, to],
-                points: vec![nodes[from], nodes[to]],
-            },
-        )
-    });
-    pieces.collect()
 }
 
 /// Closed curves of pieces, of which as many end in each node as begin there.

@@ -1,22 +1,27 @@
 //! The regions of a plane: areas whose places have one key each, bounded by curves.
 //!
-//! Where neighbours on a lattice differ, the boundary between them is followed through the cells of
-//! a finer lattice, from side to side. Where it crosses a side is found by bisection. A cell in
-//! which more than one boundary runs is halved, so that places at which three regions meet are
-//! found too.
+//! Where neighbours on a lattice differ, the place between them at which the key changes is found by
+//! bisection. In each cell of the lattice boundaries run straight from side to side; those of three
+//! regions meet in the middle.
 
 mod cell;
 mod chain;
-mod follow;
 
-use follow::{Fine, Followed};
+use cell::Crossings;
 use littlewood::{Limits, ParameterError, Summary};
 
 use crate::compute::Workers;
 use crate::grid::Grid;
 
+/// Motions that [`Regions::of_grid`] follows for a point of its grid, at most.
+pub const FOR_A_POINT: usize = 3;
+
 /// Points of a grid that are followed before somebody is told.
 const AT_ONCE: usize = 512;
+
+/// The least width to which a boundary is located: the middle of two places that are nearer to each
+/// other may be one of them.
+const LEAST_WIDTH: f64 = 1e-12;
 
 /// A place in the unit square: fractions of the way to the right and upwards.
 pub type Place = [f64; 2];
@@ -31,34 +36,6 @@ pub struct Lattice {
     pub places: [Vec<f64>; 2],
     /// Row by row, the lowest first.
     pub keys: Vec<u64>,
-}
-
-/// How finely boundaries are followed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Detail {
-    /// Cells to either side in each cell of the lattice, a power of two.
-    pub parts: usize,
-    /// How far apart the places are between which a boundary crosses a side.
-    pub width: f64,
-    /// Cells with a boundary at most: with more the parts are fewer. Where places next to each
-    /// other differ everywhere there would be no end.
-    pub most: usize,
-    /// How often a cell is halved in which boundaries meet.
-    pub halvings: u32,
-    /// How far a curve may be from its chords.
-    pub flat: f64,
-}
-
-impl Default for Detail {
-    fn default() -> Self {
-        Self {
-            parts: 4,
-            width: 1e-6,
-            most: 24_000,
-            halvings: 6,
-            flat: 1.5e-4,
-        }
-    }
 }
 
 /// All places of a key.
@@ -89,53 +66,41 @@ pub struct Regions {
     pub regions: Vec<Region>,
     /// In an order that depends on nothing but them; the border of the plane is not among them.
     pub boundaries: Vec<Boundary>,
-    /// Cells to the right and upwards in which boundaries were followed.
-    pub cells: [usize; 2],
 }
 
 impl Regions {
-    /// Finds the regions; `ask` is asked for the keys of places, many at once. Once it gives none,
-    /// boundaries are followed in cells whose keys are known, and cross their sides anywhere
-    /// between the ends.
+    /// Finds the regions; `ask` is asked for the keys of places, many at once, until it is known to a
+    /// width where they change along the sides of cells. Once it gives none, they change anywhere
+    /// between what is known.
     ///
     /// ```
-    /// use littlewood_sweep::{Detail, Lattice, Regions};
+    /// use littlewood_sweep::{Lattice, Regions};
     ///
     /// let inside = |[x, y]: [f64; 2]| u64::from((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) < 0.16);
-    /// let lattice = Lattice::even([11, 11], |place| inside(place));
+    /// let lattice = Lattice::even([41, 41], |place| inside(place));
     /// let mut ask = |places: &[[f64; 2]]| Ok::<_, ()>(Some(places.iter().map(|&place| inside(place)).collect()));
-    /// let found = Regions::find(&lattice, &Detail::default(), &mut ask)?;
+    /// let found = Regions::find(&lattice, 1e-6, &mut ask)?;
     /// assert!((found.regions[1].area - 0.16 * std::f64::consts::PI).abs() < 1e-3);
     /// # Ok::<(), ()>(())
     /// ```
     ///
     /// # Errors
     /// What `ask` returns.
-    pub fn find<E>(lattice: &Lattice, detail: &Detail, ask: &mut Ask<'_, E>) -> Result<Self, E> {
-        let mut fine = Fine::new(lattice.clone(), detail.parts.max(1));
-        let followed = loop {
-            match fine.follow(detail, ask)? {
-                Some(followed) => break followed,
-                None => fine = fine.coarser(),
-            }
-        };
-        let Followed {
-            mut nodes,
-            cells,
-            frame,
-        } = followed;
-        let segments = cell::segments(cells, detail.halvings, &mut nodes, detail.width, ask)?;
-        let (regions, boundaries) = chain::regions(nodes, &segments, &frame, detail.flat);
+    pub fn find<E>(lattice: &Lattice, width: f64, ask: &mut Ask<'_, E>) -> Result<Self, E> {
+        let mut crossings = Crossings::find(lattice, width.max(LEAST_WIDTH), ask)?;
+        let (segments, border) = (crossings.segments(), crossings.border());
+        let (regions, boundaries) = chain::regions(&crossings.nodes, &segments, &border);
         Ok(Self {
             regions,
             boundaries,
-            cells: fine.cells(),
         })
     }
 
     /// The regions of the plane of a grid by keys of the summaries of its motions, each of which is
-    /// followed to the limits. `told` is told of the motions that have been followed. The result
-    /// does not depend on the number of threads.
+    /// followed to the limits. Boundaries are located to a width, or as closely as
+    /// [`FOR_A_POINT`] motions for a point of the grid allow, those of the grid among them. `told`
+    /// is told of the motions that have been followed. The result does not depend on the number of
+    /// threads.
     ///
     /// # Errors
     /// The first value that has no physical meaning by itself.
@@ -146,7 +111,7 @@ impl Regions {
         grid: &Grid,
         key: &dyn Fn(&Summary) -> u64,
         limits: Limits,
-        detail: &Detail,
+        width: f64,
         workers: &Workers,
         told: &mut dyn FnMut(u64),
     ) -> Result<Self, ParameterError> {
@@ -168,7 +133,18 @@ impl Regions {
             keys.extend(ask(some)?.unwrap_or_default());
         }
         lattice.keys = keys;
-        Self::find(&lattice, detail, &mut ask)
+        let mut left = (FOR_A_POINT - 1) * lattice.keys.len();
+        Self::find(
+            &lattice,
+            width,
+            &mut |places| match left.checked_sub(places.len()) {
+                None => Ok(None),
+                Some(rest) => {
+                    left = rest;
+                    ask(places)
+                }
+            },
+        )
     }
 }
 
@@ -202,21 +178,12 @@ impl Lattice {
         [0, 1].map(|k| self.places[k].len() - 1)
     }
 
-    /// Every other column and row.
-    fn coarser(&self) -> Self {
-        let kept: [Vec<usize>; 2] = self.cells().map(|last| {
-            (0..=last)
-                .filter(|i| i % 2 == 0 && (*i == 0 || i + 1 != last) || *i == last)
-                .collect()
-        });
-        let columns = self.places[0].len();
-        let keys = kept[1]
-            .iter()
-            .flat_map(|j| kept[0].iter().map(move |i| j * columns + i));
-        let keys = keys.map(|place| self.keys[place]).collect();
-        Self {
-            places: [0, 1].map(|k| kept[k].iter().map(|&i| self.places[k][i]).collect()),
-            keys,
-        }
+    /// The place of a corner, counted from the lower left.
+    fn place(&self, corner: [usize; 2]) -> Place {
+        [0, 1].map(|k| self.places[k][corner[k]])
+    }
+
+    fn key(&self, [x, y]: [usize; 2]) -> u64 {
+        self.keys[y * self.places[0].len() + x]
     }
 }

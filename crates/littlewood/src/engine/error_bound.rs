@@ -10,6 +10,8 @@ use crate::math::trig::{Angle, sincos};
 use crate::model::{Heavy, State};
 use crate::modes::Flight;
 
+use super::slide::SIGN_TOLERANCE;
+
 /// Rounding of the evidence at a state, as a part of its terms: a few products and sums of numbers
 /// that are known to the last digit.
 const SIGN_ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -26,9 +28,9 @@ const AMPLIFICATION_PART: f64 = 0.1;
 /// of [`crate::Engine`] states.
 const MAX_ERROR: f64 = 1e-4;
 
-/// Beyond this angle phases are those of the simulation: whole turns of it are not taken off to the
-/// last digits.
-const MAX_ANGLE: f64 = 1e5;
+/// Beyond this angle phases are those of the simulation: θ is rounded to ε/2 of itself, and here by
+/// a quarter of the distance at which a slide is left to it.
+const MAX_ANGLE: f64 = 0.5 * SIGN_TOLERANCE / f64::EPSILON;
 
 /// Whether phases from an angle are solved by the simulation.
 pub(super) const fn is_out_of_range(theta: f64) -> bool {

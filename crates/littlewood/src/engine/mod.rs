@@ -2,8 +2,9 @@
 //!
 //! The walk along the automaton is that of [`crate::walk`], as for [`Hoop::simulate`]; the phases
 //! are other solutions of the same equations ([`model`]): slides are followed in the angle
-//! ([`slide`]), rolling along its orbit ([`roll`]). What depends on the hoop alone is kept, and
-//! chains of slips are passed by whole links ([`chain`]). A phase that these do not resolve to
+//! ([`slide`]), those out of rolling interpolated ([`slip_slides`]), rolling along its orbit
+//! ([`roll`]). What depends on the hoop alone is kept, and chains of slips are passed by whole links
+//! ([`chain`]). A phase that these do not resolve to
 //! rounding is left to the solvers of the simulation, for a reason that is counted ([`Fallback`]).
 
 mod builder;
@@ -69,7 +70,8 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 /// These bounds are derived from the sizes of the terms, but for two: a slide that passes
 /// within 10⁻⁹ of the end of contact or slip, relative to the terms, is solved by the simulation;
 /// and after landings the numbers that decide an impact are taken to be larger than the accumulated
-/// error of the state, which is at most 10⁻⁴. The tests compare hundreds of thousands of motions
+/// error of the state, which is at most 10⁻⁴. Ends of slides out of rolling are interpolated to
+/// rounding; that no other event comes before is proved for each of them. The tests compare hundreds of thousands of motions
 /// with their simulations; no proof excludes a motion that violates this.
 /// [`EngineBuilder::interpolate_slips`] promises less.
 ///

@@ -134,8 +134,11 @@ impl HoopModel {
         slide: SlideStart,
         uses_tables: bool,
     ) -> Result<SlideEnd, Fallback> {
-        let (state, angle, mirror) = (start.state, start.angle, start.heading());
+        let (state, angle) = (start.state, start.angle);
         let law = self.sliding(slide.slip);
+        // From rest it moves away from the turning point at which it is: none is ahead.
+        let backs = state.theta_rate == 0.0 && law.u_growth(angle.sin, angle.cos) < 0.0;
+        let mirror = if backs { -1.0 } else { start.heading() };
         let u = start.u();
         let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
         let sigma = slide.slip.sign();

@@ -8,7 +8,7 @@ use crate::math::trig::Angle;
 use crate::mechanics::RollingLaw;
 use crate::modes::rolling::{HalfAngleOrbit, OrbitPass, ReducedAngle};
 
-use super::duration::{duration, slowness};
+use super::duration::{duration, duration_of_one_panel, slowness};
 
 /// Orbits whose energy over the top is a smaller part of their constant are left to the exact
 /// solver.
@@ -51,6 +51,9 @@ impl HalfAngleOrbit {
             },
         };
         let turned = end.minus(start);
+        if let Some(time) = duration_of_one_panel(&self.energy, start, turned) {
+            return time;
+        }
         let turned = libm::atan2(turned.sin, turned.cos);
         // Up to half a turn of the phase, give or take rounding.
         let arc = if turned < -1.0 {

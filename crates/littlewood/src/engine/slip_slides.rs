@@ -242,8 +242,9 @@ impl Family {
 
     /// The slides that end as the one from an angle of a turn; none where that has to be followed.
     fn find(&self, angle: f64, basis: &Basis, source: SlideSource<'_>) -> Option<&FittedSlides> {
+        let narrowest = (angle * ((PARTS << HALVINGS) as f64 / TAU)) as usize;
         for (halvings, parts) in self.parts.iter().enumerate() {
-            let number = (angle * (parts.len() as f64 / TAU)) as usize;
+            let number = narrowest >> (HALVINGS - halvings);
             let part = parts
                 .get(number)?
                 .get_or_init(|| self.part(halvings, number, basis, source));

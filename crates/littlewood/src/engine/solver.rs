@@ -223,6 +223,10 @@ impl<'a> FastSolver<'a> {
     /// Converts a phase that was solved exactly.
     fn from_exact(solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
         let end = match solved.end {
+            PhaseEnd::Rest { point, arrival } => PhaseEnd::Rest {
+                point: EngineState::new(point),
+                arrival,
+            },
             PhaseEnd::Event {
                 point,
                 cause,
@@ -295,6 +299,14 @@ impl<'a> FastSolver<'a> {
             painleve,
             keeps_contact: arrival != Arrival::Start,
         })
+    }
+
+    /// Whether a slide without kinetic friction leaves the plane before the top, where that is
+    /// certain.
+    fn leaves_plane_at_top(&self, body: &Heavy, place: &EngineState) -> Option<bool> {
+        let at_top = MarginAtTop::new(body, &place.state, place.angle);
+        self.sign_is_certain(at_top.value, 1.0 + at_top.terms)
+            .then_some(at_top.value < 0.0)
     }
 
     /// Whether P > 0 is certain.
@@ -406,18 +418,21 @@ impl<'a> FastSolver<'a> {
         direction: SlipDirection,
         event: &SlideEvent,
     ) -> Ended {
-        let (cause, arrival) = if event.lifts_off {
-            (Cause::LiftOff, Arrival::LiftOff)
-        } else {
-            (Cause::Stick, Arrival::InContact)
+        let point = EngineState {
+            state: self.slide_end(place, direction, event, false),
+            angle: event.angle,
         };
-        PhaseEnd::Event {
-            point: EngineState {
-                state: self.slide_end(place, direction, event, false),
-                angle: event.angle,
-            },
-            cause,
-            arrival,
+        if event.lifts_off {
+            PhaseEnd::Event {
+                point,
+                cause: Cause::LiftOff,
+                arrival: Arrival::LiftOff,
+            }
+        } else {
+            PhaseEnd::Rest {
+                point,
+                arrival: Arrival::InContact,
+            }
         }
     }
 
@@ -688,11 +703,7 @@ impl Solver for FastSolver<'_> {
             // A zero of a higher order, which the simulation divides out.
             return left_to_the_simulation(Fallback::Cancelled);
         }
-        let at_top = MarginAtTop::new(body, &state, place.angle);
-        let is_decided = self.sign_is_certain(at_top.value, 1.0 + at_top.terms)
-            && (at_top.value < 0.0) == may_lift_off;
-        if is_conservative && !is_decided {
-            // Whether the hoop leaves the plane before the top.
+        if is_conservative && self.leaves_plane_at_top(body, place) != Some(may_lift_off) {
             return left_to_the_simulation(Fallback::Cancelled);
         }
         if is_conservative && is_next_to_equilibrium(body, place) {

@@ -254,7 +254,7 @@ mod tests {
         }
     }
 
-    /// Also where the value at the root is not zero but rounding, and the step from there is none.
+    /// Rounding may leave a value at the root whose Newton step moves nothing.
     #[test]
     fn a_secant_leads_to_the_root_of_a_rounded_polynomial_in_few_steps() {
         for k in 0..4_000 {

@@ -40,14 +40,6 @@ pub trait Number:
     fn abs(self) -> Self {
         self.map(self.value().abs(), 1.0_f64.copysign(self.value()))
     }
-
-    fn min(self, other: Self) -> Self {
-        if other.value() < self.value() {
-            other
-        } else {
-            self
-        }
-    }
 }
 
 impl Number for f64 {

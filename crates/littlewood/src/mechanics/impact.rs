@@ -19,7 +19,8 @@ use thiserror::Error;
 use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::model::{
-    Body, Friction, Heavy, Hoop, Restitution, RestitutionLaw, SlipDirection, State, getters, named,
+    Body, Friction, Heavy, Hoop, Margin, Restitution, RestitutionLaw, SlipDirection, State,
+    Undecided, getters, named,
 };
 
 /// The impulse of the plane on the body, in m2 √(gR).
@@ -45,6 +46,12 @@ pub enum ImpactError {
     /// A massless hoop: an impulse on its rim would cause an infinite velocity.
     #[error("a massless hoop has no impact: an impulse would accelerate its rim without bound")]
     Massless,
+    /// Within rounding, static friction holds at its limit where slip ends, |B| = μs A > μk A, or
+    /// P = 0 without a closing gap. Next to it impacts differ.
+    #[error(
+        "rounding decides on the impact at theta = {theta}: between stick and slip, or between a jam and none"
+    )]
+    Undecided { theta: f64 },
 }
 
 named! {
@@ -154,8 +161,8 @@ getters! {
     Impact, [self]:
     /// Energy lost, in m2 g R. Newton's law can make it negative.
     pub energy_lost: f64 = -(self.normal_work + self.friction_work);
-    /// Whether the impact increases the energy, which only Newton's law allows.
-    pub gains_energy: bool = self.energy_lost() < 0.0;
+    /// Whether the impact increases the energy by more than rounding, which only Newton's law allows.
+    pub gains_energy: bool = self.energy_lost() < -self.work_rounding();
 }
 
 impl<T: Number> Impact<T> {
@@ -182,6 +189,12 @@ impl<T: Number> Impact<T> {
 }
 
 impl Impact {
+    /// Of the normal work, whose terms, P times a gap rate, have at most 16 roundings.
+    const fn work_rounding(&self) -> f64 {
+        let rates = self.before.gap_rate.abs() + self.after.gap_rate.abs();
+        8.0 * f64::EPSILON * self.impulse.normal * rates
+    }
+
     /// The state after the impact, from the state before it.
     pub(crate) fn state_after(&self, before: &State) -> State {
         State {
@@ -270,7 +283,7 @@ impl Hoop {
     /// ```
     ///
     /// # Errors
-    /// `gap_rate` > 0 or not finite; a massless hoop.
+    /// `gap_rate` > 0 or not finite; a massless hoop; a tie within rounding.
     pub fn impact(
         &self,
         state: &State,
@@ -284,7 +297,12 @@ impl Hoop {
             return Err(ImpactError::Opening { gap_rate });
         }
         let before = ContactVelocities::of(state, gap_rate);
-        Ok(Contact::new(self, &body, state.theta).impact(before, restitution))
+        let contact = Contact::new(self, &body, state.theta);
+        let impact = contact.impact(before, restitution);
+        if contact.undecided(&impact).is_some() {
+            return Err(ImpactError::Undecided { theta: state.theta });
+        }
+        Ok(impact)
     }
 
     /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or
@@ -310,6 +328,17 @@ pub(crate) struct Sticking {
     pub(crate) braking: f64,
 }
 
+/// What follows where slip ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum AfterSlip {
+    /// Static friction holds, |B| ≤ μs A.
+    Sticks,
+    /// The contact slips again.
+    Reverses,
+    /// |B|/A − μs is zero within rounding, and kinetic friction is weaker.
+    Undecided { excess: f64, rounding: f64 },
+}
+
 /// The coefficients of an impact at one angle.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Contact<T = f64> {
@@ -319,9 +348,52 @@ pub(crate) struct Contact<T = f64> {
     height: T,
     /// In slip with σ = −1 and σ = +1.
     slipping: [Slope<T>; 2],
-    /// After slip has ended, and whether the contact slips again.
+    /// m Î times the slope of the gap rate in slip is P.
+    painleve_per_slope: f64,
+    /// Rounding of the slopes of the gap rate in slip.
+    slope_rounding: f64,
+    /// After slip has ended.
     at_rest: Slope<T>,
-    reverses: bool,
+    after_slip: AfterSlip,
+}
+
+/// Sizes of the terms of the compliances.
+struct TermSizes {
+    mass: f64,
+    inertia: f64,
+    /// h |sin θ|.
+    arm: f64,
+    /// |1 + h cos θ|, and the sum of the sizes of its terms.
+    height: f64,
+    reach: f64,
+}
+
+impl TermSizes {
+    /// Of m Î (|B| − μs A). A term has at most 18 roundings: of μs m (1 + h cos θ)² 6 in each
+    /// factor, 1 of m, 3 products and 2 sums.
+    fn rounding_of_excess(&self, mu_s: f64) -> f64 {
+        let Self {
+            mass,
+            inertia,
+            arm,
+            height,
+            reach,
+        } = *self;
+        let height = height + 3.0 * f64::EPSILON * reach;
+        9.0 * f64::EPSILON * (mass * reach * (arm + 2.0 * mu_s * height) + mu_s * inertia)
+    }
+
+    /// Of k1 = P/(m Î). A term has at most 20 roundings: 16 of P, and 4 of the quotient.
+    fn rounding_of_slope(&self, mu_k: f64) -> f64 {
+        let Self {
+            mass,
+            inertia,
+            arm,
+            reach,
+            ..
+        } = *self;
+        10.0 * f64::EPSILON * (1.0 / mass + arm * (arm + mu_k * reach) / inertia)
+    }
 }
 
 impl Contact {
@@ -334,7 +406,7 @@ impl Contact {
     pub(crate) fn sticking(&self, direction: SlipDirection) -> Option<Sticking> {
         let slipping = self.slope(direction);
         let braking = -direction.sign() * slipping.slip;
-        (braking > 0.0 && !self.reverses).then_some(Sticking {
+        (braking > 0.0 && self.after_slip == AfterSlip::Sticks).then_some(Sticking {
             in_slip: slipping.gap_rate,
             in_stick: self.at_rest.gap_rate,
             braking,
@@ -360,22 +432,76 @@ impl<T: Number> Contact<T> {
             let friction = -mu_k * direction.sign();
             slope(friction, (h_sin + friction * height) / body.inertia)
         });
-        // m Î A and m Î B: sticking requires |B|/A ≤ μs.
+        // m Î A and m Î B.
         let (a, b) = (body.inertia + mass * height * height, mass * h_sin * height);
         let stuck = Slope {
             slip: T::constant(0.0),
             ..slope(-b / a, h_sin / a)
         };
+        let sizes = TermSizes {
+            mass: mass.value(),
+            inertia: body.inertia.value(),
+            arm: h_sin.value().abs(),
+            height: height.value().abs(),
+            reach: 1.0 + (body.h * cos).value().abs(),
+        };
+        // Sticking requires |B| ≤ μs A. Where P ≤ 0 in slip towards sign B, μk |B| ≥ C, it holds:
+        // μs A ≥ A C/|B| > |B|.
+        let (mu_s, mu_k) = (mu_s.value(), mu_k.value());
+        let excess = b.value().abs() - mu_s * a.value();
+        let rounding = sizes.rounding_of_excess(mu_s);
         let reversed = SlipDirection::of_sign(b.value())
-            .filter(|_| b.value().abs() > mu_s.value() * a.value());
-        let at_rest = reversed.map_or(stuck, |direction| slipping[direction.index()]);
+            .map(|direction| slipping[direction.index()])
+            .filter(|reversed| reversed.gap_rate.value() > 0.0);
+        let (at_rest, after_slip) = match reversed {
+            // With μk = μs both are the same impact.
+            Some(_) if excess.abs() <= rounding && (mu_s - mu_k) * a.value() > rounding => {
+                let [excess, rounding] = [excess, rounding].map(|number| number / a.value());
+                (stuck, AfterSlip::Undecided { excess, rounding })
+            }
+            Some(reversed) if excess > 0.0 => (reversed, AfterSlip::Reverses),
+            Some(_) | None => (stuck, AfterSlip::Sticks),
+        };
         Self {
             mass,
             h_sin,
             height,
             slipping,
+            painleve_per_slope: (mass * body.inertia).value(),
+            slope_rounding: sizes.rounding_of_slope(mu_k),
             at_rest,
-            reverses: reversed.is_some(),
+            after_slip,
+        }
+    }
+
+    /// The number that decides on an impact, where its sign is rounding and the impacts to both
+    /// sides of the tie differ.
+    pub(crate) fn undecided(&self, impact: &Impact<T>) -> Option<Undecided> {
+        match impact.case {
+            ImpactCase::Slides => None,
+            // P = 0: without a closing gap, between none and a jam.
+            ImpactCase::None | ImpactCase::Jams => {
+                let before = impact.before;
+                let direction = SlipDirection::of_sign(before.slip.value())
+                    .filter(|_| before.gap_rate.value() == 0.0)?;
+                let slope = self.slope(direction).gap_rate.value();
+                (slope.abs() <= self.slope_rounding).then_some(Undecided::Rounding {
+                    margin: Margin::Painleve,
+                    value: slope * self.painleve_per_slope,
+                    bound: self.slope_rounding * self.painleve_per_slope,
+                })
+            }
+            ImpactCase::SticksInCompression
+            | ImpactCase::ReversesInCompression
+            | ImpactCase::SticksInRestitution
+            | ImpactCase::ReversesInRestitution => match self.after_slip {
+                AfterSlip::Undecided { excess, rounding } => Some(Undecided::Rounding {
+                    margin: Margin::ImpactFriction,
+                    value: excess,
+                    bound: rounding,
+                }),
+                AfterSlip::Sticks | AfterSlip::Reverses => None,
+            },
         }
     }
 
@@ -497,15 +623,10 @@ struct End<T> {
 impl<T: Number> Course<'_, T> {
     /// The end of the impact by the law of restitution.
     fn end(&self, jams: bool, restitution: Restitution<T>) -> End<T> {
-        let Restitution {
-            coefficient: e,
-            law,
-        } = restitution;
-        let closing = -self.before.gap_rate;
-        let (k1, k2) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate);
-        let (first, reverses) = (self.first, self.contact.reverses);
+        let e = restitution.coefficient;
+        let (closing, k1) = (-self.before.gap_rate, self.slipping.gap_rate);
         let whole = (e + 1.0) * closing;
-        if !jams && first.value() * k1.value() >= whole.value() {
+        if !jams && self.first.value() * k1.value() >= whole.value() {
             return End {
                 case: ImpactCase::Slides,
                 normal: whole / k1,
@@ -513,39 +634,68 @@ impl<T: Number> Course<'_, T> {
             };
         }
         // The gap rate where slip ends.
-        let at_end = k1 * first - closing;
+        let at_end = k1 * self.first - closing;
         if at_end.value() <= 0.0 {
-            let case = match (jams, reverses) {
-                (true, _) => ImpactCase::Jams,
-                (false, true) => ImpactCase::ReversesInCompression,
-                (false, false) => ImpactCase::SticksInCompression,
-            };
-            let compression = first - at_end / k2;
-            let opening = match law {
-                RestitutionLaw::Energetic => {
-                    let work = (closing - at_end) * 0.5 * first + at_end * 0.5 * at_end / k2;
-                    e * (work * 2.0 * k2).sqrt()
-                }
-                RestitutionLaw::Poisson => e * compression * k2,
-                RestitutionLaw::Newton => e * closing,
-            };
-            return End {
-                case,
-                normal: compression + opening / k2,
-                opening,
-            };
-        }
-        let case = if reverses {
-            ImpactCase::ReversesInRestitution
+            self.end_after_slip_in_compression(at_end, jams, restitution)
         } else {
-            ImpactCase::SticksInRestitution
-        };
-        let opening = match law {
-            RestitutionLaw::Energetic => {
-                let given_back = e * e * closing * closing - at_end * at_end;
-                (at_end * at_end + k2 / k1 * given_back).sqrt()
+            self.end_after_slip_in_restitution(at_end, restitution)
+        }
+    }
+
+    /// The end of the impact if slip ends at a gap rate ≤ 0.
+    fn end_after_slip_in_compression(
+        &self,
+        at_end: T,
+        jams: bool,
+        restitution: Restitution<T>,
+    ) -> End<T> {
+        let case = match (jams, self.contact.after_slip) {
+            (true, _) => ImpactCase::Jams,
+            (false, AfterSlip::Reverses) => ImpactCase::ReversesInCompression,
+            (false, AfterSlip::Sticks | AfterSlip::Undecided { .. }) => {
+                ImpactCase::SticksInCompression
             }
-            RestitutionLaw::Poisson => at_end + k2 * (whole / k1 - first),
+        };
+        let e = restitution.coefficient;
+        let (closing, first) = (-self.before.gap_rate, self.first);
+        let k2 = self.contact.at_rest.gap_rate;
+        let compression = first - at_end / k2;
+        let opening = match restitution.law {
+            RestitutionLaw::Energetic => {
+                let work = (closing - at_end) * 0.5 * first + at_end * 0.5 * at_end / k2;
+                e * (work * 2.0 * k2).sqrt()
+            }
+            RestitutionLaw::Poisson => e * compression * k2,
+            RestitutionLaw::Newton => e * closing,
+        };
+        End {
+            case,
+            normal: compression + opening / k2,
+            opening,
+        }
+    }
+
+    /// The end of the impact if slip ends at a gap rate > 0.
+    fn end_after_slip_in_restitution(&self, at_end: T, restitution: Restitution<T>) -> End<T> {
+        let case = match self.contact.after_slip {
+            AfterSlip::Reverses => ImpactCase::ReversesInRestitution,
+            AfterSlip::Sticks | AfterSlip::Undecided { .. } => ImpactCase::SticksInRestitution,
+        };
+        let e = restitution.coefficient;
+        let (closing, first) = (-self.before.gap_rate, self.first);
+        let (k1, k2) = (self.slipping.gap_rate, self.contact.at_rest.gap_rate);
+        let opening = match restitution.law {
+            RestitutionLaw::Energetic => {
+                let left = e * e * closing * closing - at_end * at_end;
+                // It is not negative, but for rounding.
+                let left = if left.value() < 0.0 {
+                    T::constant(0.0)
+                } else {
+                    left
+                };
+                (at_end * at_end + k2 / k1 * left).sqrt()
+            }
+            RestitutionLaw::Poisson => at_end + k2 * ((e + 1.0) * closing / k1 - first),
             RestitutionLaw::Newton => e * closing,
         };
         End {
@@ -563,20 +713,26 @@ impl<T: Number> Course<'_, T> {
         } = self.end(jams, restitution);
         let before = self.before;
         let then = self.contact.at_rest;
-        let one = normal.min(self.first);
-        let two = normal - one;
-        let impulse = Impulse {
-            normal,
-            friction: self.slipping.friction * one + then.friction * two,
-        };
-        let slip_between = match case {
-            ImpactCase::Slides => before.slip + self.slipping.slip * one,
+        let (one, slip_between) = match case {
+            ImpactCase::Slides => {
+                let slip = before.slip + self.slipping.slip * normal;
+                // Where slip all but ends with the impact, rounding may not reverse it.
+                let [now, reversed] =
+                    [slip, -before.slip].map(|it| SlipDirection::of_sign(it.value()));
+                let ends = now == reversed;
+                (normal, if ends { T::constant(0.0) } else { slip })
+            }
             ImpactCase::None
             | ImpactCase::SticksInCompression
             | ImpactCase::ReversesInCompression
             | ImpactCase::SticksInRestitution
             | ImpactCase::ReversesInRestitution
-            | ImpactCase::Jams => T::constant(0.0),
+            | ImpactCase::Jams => (self.first, T::constant(0.0)),
+        };
+        let two = normal - one;
+        let impulse = Impulse {
+            normal,
+            friction: self.slipping.friction * one + then.friction * two,
         };
         let gap_between = before.gap_rate + self.slipping.gap_rate * one;
         let after = ContactVelocities {

@@ -71,6 +71,9 @@ pub enum NoSettling {
     /// slip counts as one.
     #[error("the kind of the bounces still changes after {bounces}")]
     Unsettled { bounces: usize },
+    /// Rounding decides on an impact ([`ImpactError::Undecided`](crate::impact::ImpactError::Undecided)).
+    #[error("rounding decides between stick and slip in a bounce")]
+    Undecided,
 }
 
 impl Hoop {
@@ -304,6 +307,9 @@ impl<T: Number> Bounces<T> {
                 return Err(NoSettling::Unsettled { bounces: bounce });
             }
             let run = self.run(start.theta_rate, slip, opening);
+            if self.contact.undecided(&run.first).is_some() {
+                return Err(NoSettling::Undecided);
+            }
             let (ratio, r) = (run.ratio, run.ratio.value());
             let number = run.number();
             let shrinks = 1.0 - r > RATIO_ROUNDING;

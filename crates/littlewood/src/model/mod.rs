@@ -11,6 +11,7 @@ pub(crate) mod restitution;
 pub(crate) mod setup;
 pub(crate) mod si;
 pub(crate) mod state;
+pub(crate) mod undecided;
 pub(crate) mod units;
 
 pub(crate) use self::dimension::{Detail, Dimension, System};
@@ -25,4 +26,5 @@ pub(crate) use self::quantity::{
 pub(crate) use self::restitution::{Restitution, RestitutionLaw};
 pub(crate) use self::setup::Setup;
 pub(crate) use self::state::{Start, State};
+pub(crate) use self::undecided::{Margin, Undecided};
 pub(crate) use self::units::Units;

@@ -52,9 +52,9 @@ named! {
         Slip = 7, "slip" => row((DIMENSIONLESS, Group::Start, D::Velocity, Some(Self::SlipMPerS)), ["eta'", "η′"],
             (RATE, Presence::Default(0.0), [-2.0, 2.0]), "slip velocity of the contact point",
             "Slip velocity eta' of the contact point (2.7) in sqrt(g R)");
-        /// Horizontal position x of the geometric centre.
+        /// Position x of the geometric centre along the plane.
         X = 8, "x" => row((DIMENSIONLESS, Group::Place, D::Length, Some(Self::XM)), ["x", "x"],
-            (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
+            (COORDINATE, Presence::Default(0.0), [-10.0, 10.0]), "position of the geometric centre along the plane",
             "Position of the centre along the plane, in R");
         /// Time τ.
         Time = 9, "time" => row((DIMENSIONLESS, Group::Place, D::Time, Some(Self::TimeS)), ["tau", "τ"],
@@ -97,9 +97,9 @@ named! {
         SlipMPerS = 18, "slip_m_per_s" => row((SI, Group::Start, D::Velocity, Some(Self::Slip)), ["d eta/dt", "dη/dt"],
             (FINITE, Presence::Default(0.0), [-5.0, 5.0]), "slip velocity of the contact point",
             "Slip velocity of the contact point, m/s");
-        /// Horizontal position in metres.
+        /// Position along the plane in metres.
         XM = 19, "x_m" => row((SI, Group::Place, D::Length, Some(Self::X)), ["x", "x"],
-            (FINITE, Presence::Default(0.0), [-10.0, 10.0]), "horizontal position of the geometric centre",
+            (FINITE, Presence::Default(0.0), [-10.0, 10.0]), "position of the geometric centre along the plane",
             "Position of the centre along the plane, m");
         /// Time in seconds.
         TimeS = 20, "time_s" => row((SI, Group::Place, D::Time, Some(Self::Time)), ["t", "t"],

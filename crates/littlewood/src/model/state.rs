@@ -23,7 +23,7 @@ pub struct Start {
     /// Gap rate, zero or positive: the rate at which the rim leaves the plane.
     #[cfg_attr(feature = "serde", serde(default))]
     pub gap_rate: f64,
-    /// Horizontal position x of the geometric centre.
+    /// Position x of the geometric centre along the plane.
     pub x: f64,
 }
 
@@ -93,8 +93,8 @@ impl From<State> for Start {
     }
 }
 
-/// The state of the body at an instant. In flight `slip` is the horizontal velocity of the lowest
-/// point of the rim.
+/// The state of the body at an instant. In flight `slip` is the velocity along the plane of the
+/// point of the rim next to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State {
@@ -106,7 +106,7 @@ pub struct State {
     pub theta_rate: f64,
     /// Slip velocity η′.
     pub slip: f64,
-    /// Horizontal position x of the geometric centre.
+    /// Position x of the geometric centre along the plane.
     pub x: f64,
 }
 

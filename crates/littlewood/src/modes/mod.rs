@@ -23,7 +23,6 @@ pub(crate) mod gliding;
 pub(crate) mod rolling;
 pub(crate) mod sample;
 pub(crate) mod sliding;
-mod undecided;
 
 pub(crate) use self::flight::{FlightExtent, TakeOff};
 pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
@@ -41,7 +40,7 @@ pub use self::rolling::{
 };
 pub use self::sample::Position;
 pub use self::sliding::{SlideLimit, Sliding};
-pub use self::undecided::{Margin, Undecided};
+pub use crate::model::undecided::{Margin, Undecided};
 
 /// The exact solution of a phase. τ and x are relative to the start of the motion, and θ excludes
 /// the whole turns of the start. On a slope its units are those in which gravity normal to the

@@ -22,7 +22,7 @@ pub struct Sample {
     pub normal: f64,
     /// Friction force F/(m2 g), positive along E1.
     pub friction: f64,
-    /// Height of the lowest point of the rim over the plane; zero in contact.
+    /// Distance of the rim from the plane; zero in contact.
     pub gap: f64,
     /// Rate of the gap; zero in contact.
     pub gap_rate: f64,
@@ -37,8 +37,8 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Potential energy U of (2.8), over m2 g R: zero with the particle at the height of C and the
-    /// rim at the plane, on a slope where x = 0. All energies have this zero.
+    /// Potential energy U of (2.8), over m2 g R: zero with the particle as far from the plane as C
+    /// and the rim at the plane, on a slope where x = 0. All energies have this zero.
     #[must_use]
     pub fn potential_energy(&self, hoop: &Hoop) -> f64 {
         let (along, across) = libm::sincos(hoop.slope());
@@ -51,9 +51,9 @@ impl Sample {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Position {
-    /// Horizontal coordinate along E1.
+    /// Coordinate along the plane, along E1.
     pub x: f64,
-    /// Height over the plane.
+    /// Distance from the plane.
     pub y: f64,
 }
 

@@ -29,7 +29,7 @@ named! {
         /// Slip velocity η′.
         Slip = 5, "slip" => (Some(Dimension::Velocity), "η′", "slip velocity of the contact point");
         /// Position x of the geometric centre.
-        X = 6, "x" => (Some(Dimension::Length), "x", "horizontal position of the geometric centre");
+        X = 6, "x" => (Some(Dimension::Length), "x", "position of the geometric centre along the plane");
         /// Angular acceleration θ″.
         ThetaAcceleration = 7, "theta_acceleration" => (Some(Dimension::AngularAcceleration), "θ″", "angular acceleration");
         /// Acceleration η″ of the slip.
@@ -39,21 +39,21 @@ named! {
         /// Friction force F.
         Friction = 10, "friction" => (Some(Dimension::Force), "F", "friction force");
         /// Gap between the rim and the plane.
-        Gap = 11, "gap" => (Some(Dimension::Length), "gap", "height of the lowest point of the rim over the plane");
+        Gap = 11, "gap" => (Some(Dimension::Length), "gap", "distance of the rim from the plane");
         /// Rate of the gap.
         GapRate = 12, "gap_rate" => (Some(Dimension::Velocity), "gap′", "rate of the gap");
         /// Energy E (2.8).
         Energy = 13, "energy" => (Some(Dimension::Energy), "E", "kinetic and potential energy");
-        /// Height of the geometric centre.
-        CentreY = 14, "centre_y" => (Some(Dimension::Length), "y", "height of the geometric centre");
-        /// Horizontal position of the mass centre.
-        MassCentreX = 15, "mass_centre_x" => (Some(Dimension::Length), "x̄", "horizontal position of the mass centre");
-        /// Height of the mass centre.
-        MassCentreY = 16, "mass_centre_y" => (Some(Dimension::Length), "ȳ", "height of the mass centre");
-        /// Horizontal position of the particle.
-        ParticleX = 17, "particle_x" => (Some(Dimension::Length), "x₂", "horizontal position of the particle");
-        /// Height of the particle.
-        ParticleY = 18, "particle_y" => (Some(Dimension::Length), "y₂", "height of the particle");
+        /// Distance of the geometric centre from the plane.
+        CentreY = 14, "centre_y" => (Some(Dimension::Length), "y", "distance of the geometric centre from the plane");
+        /// Position of the mass centre along the plane.
+        MassCentreX = 15, "mass_centre_x" => (Some(Dimension::Length), "x̄", "position of the mass centre along the plane");
+        /// Distance of the mass centre from the plane.
+        MassCentreY = 16, "mass_centre_y" => (Some(Dimension::Length), "ȳ", "distance of the mass centre from the plane");
+        /// Position of the particle along the plane.
+        ParticleX = 17, "particle_x" => (Some(Dimension::Length), "x₂", "position of the particle along the plane");
+        /// Distance of the particle from the plane.
+        ParticleY = 18, "particle_y" => (Some(Dimension::Length), "y₂", "distance of the particle from the plane");
     }
 }
 

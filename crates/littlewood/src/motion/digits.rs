@@ -328,7 +328,8 @@ impl PerturbedSolver<'_> {
             PhaseSolution::Rolling(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => 1.0,
         };
         match &mut end {
-            PhaseEnd::Event { point: state, .. }
+            PhaseEnd::Rest { point: state, .. }
+            | PhaseEnd::Event { point: state, .. }
             | PhaseEnd::Landing { state, .. }
             | PhaseEnd::Settled { state, .. }
             | PhaseEnd::Singular { state, .. }

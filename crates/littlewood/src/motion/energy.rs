@@ -72,16 +72,10 @@ impl EnergyLedger {
         })
     }
 
-    /// The parts at an instant: of the phase before a transition, or of the one after it.
-    pub fn parts(&self, sample: &Sample, is_before: bool) -> Option<EnergyParts> {
+    /// The parts at an instant: at a transition of the phase after it.
+    pub fn parts(&self, sample: &Sample) -> Option<EnergyParts> {
         let time = sample.state.time;
-        let after = self.phases.partition_point(|entry| {
-            if is_before {
-                entry.time < time
-            } else {
-                entry.time <= time
-            }
-        });
+        let after = self.phases.partition_point(|entry| entry.time <= time);
         let place = after.max(1) - 1;
         let entry = self.phases.get(place)?;
         let potential = sample.potential_energy(&self.hoop);
@@ -122,7 +116,7 @@ impl EnergyLedger {
     pub fn scale<'a>(&self, samples: impl IntoIterator<Item = &'a Sample>) -> [f64; 2] {
         samples
             .into_iter()
-            .filter_map(|sample| self.parts(sample, false))
+            .filter_map(|sample| self.parts(sample))
             .fold([self.start; 2], |[low, high], parts| {
                 let gained = (-parts.impacts).max(0.0);
                 [low.min(parts.potential), high.max(self.start + gained)]

@@ -119,9 +119,8 @@ impl<'a> Exact<'a> {
         end: SlidingEnd,
     ) -> ExactEnd {
         match end {
-            SlidingEnd::Rest(point) => PhaseEnd::Event {
+            SlidingEnd::Rest(point) => PhaseEnd::Rest {
                 point,
-                cause: Cause::Stick,
                 arrival: Arrival::InContact,
             },
             SlidingEnd::LiftOff(point) => PhaseEnd::Event {
@@ -281,9 +280,8 @@ impl Solver for Exact<'_> {
         let allowed = self.allowed(state);
         let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
         let end = match end {
-            GlidingEnd::Rest { state, presses } => PhaseEnd::Event {
+            GlidingEnd::Rest { state, presses } => PhaseEnd::Rest {
                 point: state,
-                cause: Cause::Stick,
                 arrival: Arrival::GlideAtRest { presses },
             },
             GlidingEnd::Bottom(state) if body.offset < 1.0 => Self::ended(

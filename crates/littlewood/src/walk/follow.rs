@@ -53,7 +53,7 @@ impl<P> Cursor<P> {
             Body::Heavy(body) if gap_rate > 0.0 => begin_flight(solver, &body, &state, gap_rate),
             Body::Heavy(_) | Body::Massless(_) => solver.next_motion(&point, Arrival::Start),
         };
-        let last_slip = LastSlip::at_start(solver.hoop(), state, next.direction());
+        let last_slip = LastSlip::at_start(solver.hoop(), state, &next);
         Self {
             point,
             next,
@@ -146,7 +146,8 @@ struct EndedPhase<P> {
     mode: Mode,
     direction: Option<SlipDirection>,
     point: P,
-    cause: Cause,
+    /// None at rest, where the motion that follows names the event.
+    cause: Option<Cause>,
     arrival: Arrival,
 }
 
@@ -259,6 +260,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
 }
 
 /// Skips periods of a motion that repeats itself, as many as end before all limits.
+#[inline(never)]
 fn skip_periods<T: Solver, R: Recorder<T::Solution>>(
     solver: &T,
     cursor: &mut Cursor<T::Point>,
@@ -472,12 +474,7 @@ fn finish_phase<T: Solver, R: Recorder<T::Solution>>(
     } = result;
     log.flush(direction);
     let theta_range = solution.theta_range();
-    if let PhaseEnd::Event {
-        point,
-        cause: Cause::Stick,
-        arrival,
-    } = &mut end
-    {
+    if let PhaseEnd::Rest { point, arrival } = &mut end {
         correct_rest(solver, cursor, point, arrival);
     }
     let record = PhaseRecord {
@@ -505,25 +502,26 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
     end: PhaseEnd<T::Point, T::Outcome>,
 ) -> Result<PhaseStep, T::Outcome> {
     let mode = phase.mode;
+    let ended = |cause, point, arrival| EndedPhase {
+        mode,
+        direction: phase.direction,
+        point,
+        cause,
+        arrival,
+    };
     match end {
+        PhaseEnd::Rest { point, arrival } => {
+            Ok(after_event(solver, cursor, ended(None, point, arrival)))
+        }
         PhaseEnd::Event {
             point,
             cause,
             arrival,
-        } => {
-            let ended = EndedPhase {
-                mode,
-                direction: phase.direction,
-                point,
-                cause,
-                arrival,
-            };
-            Ok(PhaseStep {
-                event: after_event(solver, cursor, ended),
-                impact: None,
-                theta_range: None,
-            })
-        }
+        } => Ok(after_event(
+            solver,
+            cursor,
+            ended(Some(cause), point, arrival),
+        )),
         PhaseEnd::Settled { state, settling } => {
             Ok(after_settling(solver, cursor, state, &settling))
         }
@@ -621,7 +619,7 @@ fn after_event<T: Solver>(
     solver: &T,
     cursor: &mut Cursor<T::Point>,
     ended: EndedPhase<T::Point>,
-) -> Event {
+) -> PhaseStep {
     let EndedPhase {
         mode,
         direction,
@@ -642,17 +640,20 @@ fn after_event<T: Solver>(
         (_, Some(_)) => (cursor.last_slip, None),
         (_, None) => (None, None),
     };
-    // The next motion distinguishes stick, graze, reversal and lift-off.
-    let cause = match (cause, next.mode()) {
-        (Cause::Stick, Some(Mode::Sliding | Mode::Gliding)) => {
+    let cause = cause.unwrap_or_else(|| match next.mode() {
+        Some(Mode::Sliding | Mode::Gliding) => {
             let same = next.direction().is_some() && next.direction() == direction;
             if same { Cause::Graze } else { Cause::Reversal }
         }
         // The normal force vanishes at the same instant.
-        (Cause::Stick, Some(Mode::Flight)) => Cause::LiftOff,
-        (cause, Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None) => cause,
-    };
-    Event::new(state, mode, cause)
+        Some(Mode::Flight) => Cause::LiftOff,
+        Some(Mode::Rolling) | None => Cause::Stick,
+    });
+    PhaseStep {
+        event: Event::new(state, mode, cause),
+        impact: None,
+        theta_range: None,
+    }
 }
 
 /// Moves the cursor past the impact of a landing.
@@ -684,7 +685,11 @@ fn land<T: Solver>(
     }
     // At a touch without crossing the rate may round to a positive number.
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
-    let impact = Contact::new(hoop, &body, state.theta).impact(before, restitution);
+    let contact = Contact::new(hoop, &body, state.theta);
+    let impact = contact.impact(before, restitution);
+    if let Some(undecided) = contact.undecided(&impact) {
+        return Rebound::Unresolved { event, undecided };
+    }
     after_impact(solver, cursor, &body, event, impact)
 }
 

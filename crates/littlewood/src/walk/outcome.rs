@@ -134,10 +134,11 @@ pub enum Outcome {
     StepLimit { state: State, limit: SlideLimit },
     /// The time scale falls below double precision: a slide of a hoop with very small inertia whose
     /// particle passes the bottom, or a slide next to P = 0 whose end depends on rounding. Or an
-    /// impact beyond the bounds of θ and x of a start, or with velocities that overflow. Or an
-    /// unbalanced hoop that rolls down a slope beyond these bounds, a flight of more turns than
-    /// doubles resolve, or a massless hoop whose particle is at the plane but for rounding. It names
-    /// the number that decides.
+    /// impact beyond the bounds of θ and x of a start, with velocities that overflow or a gap rate
+    /// that underflows, or where rounding decides between stick and slip. Or an unbalanced hoop
+    /// that rolls down a slope beyond these bounds, a flight of more turns than doubles resolve, or
+    /// a massless hoop whose particle is at the plane but for rounding. It names the number that
+    /// decides.
     Unresolved { state: State, undecided: Undecided },
 }
 

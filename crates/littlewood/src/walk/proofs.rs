@@ -210,6 +210,7 @@ impl<'a> Proofs<'a> {
     }
 
     /// The period of a motion that is, after an event, where it was after an earlier one.
+    #[inline(always)]
     pub(crate) fn period(
         &mut self,
         event: &Event,
@@ -289,6 +290,7 @@ fn repeats(visits: &mut Vec<Visit>, visit: Visit, is_smooth: bool) -> Option<Out
 
 /// Adds an event of a conservative motion; returns the period if the motion is where it was before,
 /// and forgets its events.
+#[inline(never)]
 fn period(visits: &mut Vec<Visit>, visit: Visit) -> Option<Period> {
     if !visit.cause.keeps_contact() {
         // A flight may end in an impact, which changes the energy.

@@ -18,8 +18,8 @@ use core::f64::consts::TAU;
 use crate::math::trig::{Angle, sincos};
 use crate::mechanics::{FrictionlessIntegrals, SlidingLaw, converge};
 use crate::model::{Body, Heavy, Hoop, SlipDirection, State};
-use crate::modes::{Onset, PhasePoint, RollingOrbit, Stiction};
-use crate::walk::{Arrival, is_same};
+use crate::modes::{Entry, Onset, PhasePoint, RollingOrbit, Stiction};
+use crate::walk::{Arrival, NextMotion, is_same};
 
 /// Least distance, in cos θ, of two zeros of η′ after a start at rest. A closer pair is a
 /// near-tangent zero, which is left to the numerical slide. On the limit of static friction η″ does
@@ -69,18 +69,29 @@ impl LastSlip {
     }
 
     /// The start of a motion, if it slides from η′ = 0: there |F| of rolling is at least μs N.
-    pub(crate) fn at_start(
-        hoop: &Hoop,
-        state: State,
-        slides: Option<SlipDirection>,
-    ) -> Option<Self> {
-        let direction =
-            slides.filter(|_| state.slip == 0.0 && hoop.mu_k() == 0.0 && hoop.slope() == 0.0)?;
+    pub(crate) fn at_start(hoop: &Hoop, state: State, next: &NextMotion) -> Option<Self> {
+        let NextMotion::Slide {
+            direction,
+            entry: Entry::FromRest { slip_acceleration },
+            ..
+        } = next
+        else {
+            return None;
+        };
+        if hoop.mu_k() != 0.0 || hoop.slope() != 0.0 {
+            return None;
+        }
+        // What selects the slide has seen whether η″ vanishes.
+        let order = if *slip_acceleration == 0.0 {
+            order_at_start(hoop, &state)
+        } else {
+            1
+        };
         Some(Self {
             state,
-            direction,
+            direction: *direction,
             is_on_limit: starts_on_limit(hoop, &state),
-            order: order_at_start(hoop, &state),
+            order,
         })
     }
 
@@ -206,12 +217,14 @@ impl LastSlip {
 /// Whether a start that slides has |F| = μs N, and not more by the last digit: on the limit the
 /// next derivative lets it slip.
 fn starts_on_limit(hoop: &Hoop, state: &State) -> bool {
-    let exceeds = match RollingOrbit::of(hoop, state.theta, state.theta_rate).stiction() {
-        Stiction::Holds => false,
-        Stiction::Slips { excess, .. } => excess > 0.0,
-        Stiction::NoNormalForce => true,
-    };
-    hoop.mu_s() > 0.0 && !exceeds
+    if hoop.mu_s() == 0.0 {
+        return false;
+    }
+    match RollingOrbit::of(hoop, state.theta, state.theta_rate).stiction() {
+        Stiction::Holds => true,
+        Stiction::Slips { excess, .. } => excess <= 0.0,
+        Stiction::NoNormalForce => false,
+    }
 }
 
 /// The order of the zero of η′ at a start: 1 where |F| > μs N > 0.

@@ -115,8 +115,9 @@ pub(crate) struct PhaseResult<T: Solver + ?Sized> {
 
 /// How a phase ended.
 pub(crate) enum PhaseEnd<P, O> {
-    /// An event after which the motion continues without an impact. The loop tells a graze, a
-    /// reversal and a lift-off from a stick by the motion that follows.
+    /// η′ = 0. The motion that follows tells a stick, a graze, a reversal and a lift-off apart.
+    Rest { point: P, arrival: Arrival },
+    /// Another event after which the motion continues without an impact.
     Event {
         point: P,
         cause: Cause,
@@ -143,7 +144,7 @@ pub(crate) enum PhaseEnd<P, O> {
 impl<P, O> PhaseEnd<P, O> {
     pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
         match self {
-            Self::Event { point, .. } => Some(of(point)),
+            Self::Rest { point, .. } | Self::Event { point, .. } => Some(of(point)),
             Self::Landing { state, .. }
             | Self::Settled { state, .. }
             | Self::Singular { state, .. } => Some(*state),

@@ -6,9 +6,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::hint::black_box;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeKind, Start, Summary};
+use cpu_time::ProcessTime;
+use littlewood::{Engine, Hoop, Limits, Outcome, OutcomeKind, ParameterError, Start, Summary};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let hoop = Hoop::equal_masses(0.5, 0.4)?;
@@ -19,8 +20,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let number: u32 = number.parse()?;
         let rows = match name {
             "trajectory" => trajectory(&hoop, &engine)?,
-            "map" => map(&engine, number),
-            "final" => vec![timed_map(&engine, "Engine", number, Limits::default(), 1).0],
+            "map" => map(&hoop, &engine, number),
+            "final" => {
+                let summary = |start| engine.summary(start, Limits::default());
+                vec![timed_map(&summary, "Engine", number).0]
+            }
             "rolling" => rolling(&hoop, f64::from(number))?,
             "threads" => [1, 2].map(|threads| threaded(&engine, number, threads)).to_vec(),
             other => return Err(format!("no benchmark {other}").into()),
@@ -30,12 +34,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Median time of a call in batches of a thousand, for about half a second.
+/// Median processor time of a call in batches, for about half a second.
 fn median_seconds<T>(mut call: impl FnMut() -> T, batch: u32) -> f64 {
     let mut samples = Vec::new();
-    let begin = Instant::now();
+    let begin = ProcessTime::now();
     while begin.elapsed().as_secs_f64() < 0.5 {
-        let start = Instant::now();
+        let start = ProcessTime::now();
         for _ in 0..batch {
             black_box(call());
         }
@@ -54,14 +58,12 @@ fn trajectory(hoop: &Hoop, engine: &Engine) -> Result<Vec<String>, Box<dyn Error
         motion.transitions().iter().take(3).map(|transition| transition.time()).collect();
     let engine_seconds = median_seconds(|| engine.summary(black_box(start), limits), 1000);
     let simulate_seconds = median_seconds(|| hoop.simulate(black_box(start), limits), 10);
-    let prepare_seconds = median_seconds(|| Engine::new(black_box(hoop)), 1);
     let (slip, lift) = (summary.first_slip_time, summary.lift_off_time);
     Ok(vec![
         format!(
             r#"{{"name": "Engine", "seconds": {engine_seconds:e}, "times": [null, {slip:?}, {lift:?}]}}"#
         ),
         format!(r#"{{"name": "Hoop::simulate", "seconds": {simulate_seconds:e}, "times": {events:?}}}"#),
-        format!(r#"{{"name": "Engine::new", "seconds": {prepare_seconds:e}, "times": []}}"#),
     ])
 }
 
@@ -88,9 +90,11 @@ fn value(index: usize, count: usize, end: f64) -> f64 {
     if index + 1 == count { end } else { index as f64 * (2.0 * end / (count - 1) as f64) - end }
 }
 
-/// Wall time and outcomes of the grid of starts. Each thread takes the next row that none has
-/// taken.
-fn grid(engine: &Engine, cells: usize, limits: Limits, threads: usize) -> (f64, Vec<u8>) {
+/// What finds the summary of a start.
+type Summarise<'a> = &'a (dyn Fn(Start) -> Result<Summary, ParameterError> + Sync);
+
+/// The outcomes of the grid of starts. Each thread takes the next row that none has taken.
+fn grid(summary: Summarise<'_>, cells: usize, threads: usize) -> Vec<u8> {
     let next = AtomicUsize::new(0);
     let work = || {
         let mut rows = Vec::new();
@@ -102,37 +106,57 @@ fn grid(engine: &Engine, cells: usize, limits: Limits, threads: usize) -> (f64, 
             let rate = value(row, cells, 4.0);
             let outcomes = (0..cells).map(|column| {
                 let start = Start::at(value(column, cells, PI), rate);
-                engine.summary(start, limits).map_or(b'9', |summary| digit(&summary))
+                summary(start).map_or(b'9', |summary| digit(&summary))
             });
             rows.push((row, outcomes.collect::<Vec<u8>>()));
         }
     };
-    let begin = Instant::now();
     let mut rows: Vec<(usize, Vec<u8>)> = thread::scope(|scope| {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
         workers.into_iter().flat_map(|worker| worker.join().expect("no row panics")).collect()
     });
     rows.sort_unstable();
-    (begin.elapsed().as_secs_f64(), rows.into_iter().flat_map(|(_, outcomes)| outcomes).collect())
+    rows.into_iter().flat_map(|(_, outcomes)| outcomes).collect()
 }
 
-/// A measurement of the map, and its outcomes.
-fn timed_map(engine: &Engine, name: &str, cells: u32, limits: Limits, threads: usize) -> (String, Vec<u8>) {
-    let (seconds, outcomes) = grid(engine, cells as usize, limits, threads);
+fn record(name: &str, time: Duration, outcomes: &[u8]) -> String {
     let counts =
         [b'0', b'1', b'2', b'9'].map(|code| outcomes.iter().filter(|&&outcome| outcome == code).count());
-    (format!(r#"{{"name": "{name}", "seconds": {seconds:e}, "counts": {counts:?}}}"#), outcomes)
+    format!(r#"{{"name": "{name}", "seconds": {:e}, "counts": {counts:?}}}"#, time.as_secs_f64())
 }
+
+/// The processor time of the map, and its outcomes.
+fn timed_map(summary: Summarise<'_>, name: &str, cells: u32) -> (String, Vec<u8>) {
+    let begin = ProcessTime::now();
+    let outcomes = grid(summary, cells as usize, 1);
+    (record(name, begin.elapsed(), &outcomes), outcomes)
+}
+
+/// Cells across a map that is simulated, too, at most: it takes as long as all other rounds.
+const SIMULATED: u32 = 200;
 
 /// The map to τ = 50.
-fn map(engine: &Engine, cells: u32) -> Vec<String> {
-    let (mut row, outcomes) = timed_map(engine, "Engine", cells, Limits::until(50.0), 1);
-    row.pop();
-    vec![format!(r#"{row}, "outcomes": "{}"}}"#, String::from_utf8_lossy(&outcomes))]
+fn map(hoop: &Hoop, engine: &Engine, cells: u32) -> Vec<String> {
+    let limits = Limits::until(50.0);
+    let measured = |summary: Summarise<'_>, name: &str| {
+        let (mut row, outcomes) = timed_map(summary, name, cells);
+        row.pop();
+        format!(r#"{row}, "outcomes": "{}"}}"#, String::from_utf8_lossy(&outcomes))
+    };
+    let mut rows = vec![measured(&|start| engine.summary(start, limits), "Engine")];
+    if cells <= SIMULATED {
+        let simulated = |start| hoop.simulate(start, limits).map(|motion| motion.summary());
+        rows.push(measured(&simulated, "Hoop::simulate"));
+    }
+    rows
 }
 
+/// What the map takes of the clock on the wall.
 fn threaded(engine: &Engine, cells: u32, threads: usize) -> String {
-    timed_map(engine, &format!("{threads}"), cells, Limits::default(), threads).0
+    let summary = |start| engine.summary(start, Limits::default());
+    let begin = Instant::now();
+    let outcomes = grid(&summary, cells as usize, threads);
+    record(&format!("{threads}"), begin.elapsed(), &outcomes)
 }
 
 /// From the start to the state at a time, of a motion that rolls for ever.

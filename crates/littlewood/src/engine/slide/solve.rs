@@ -32,7 +32,7 @@ const MAX_TURNS: f64 = 16.0;
 const MAX_PERIODS: f64 = 64.0;
 
 /// Fewer periods are followed one by one.
-const MIN_PERIODS_TO_SKIP: f64 = 3.0;
+const MIN_PERIODS_TO_SKIP: f64 = 2.0;
 
 /// A point is the same after a period if its angle is the same to this.
 const PERIOD_TOLERANCE: f64 = 1e-12;
@@ -160,6 +160,9 @@ struct TurningEntry<'a> {
     frame: MotionFrame<'a>,
     start: SlidePoint,
     segment: TurningSegment,
+    /// Whether the slide comes to the turning point. The coordinate does not tell: it is 0 where
+    /// θ′² underflows.
+    is_ahead: bool,
 }
 
 struct Slide<'a> {
@@ -403,6 +406,7 @@ impl<'a> Slide<'a> {
             frame,
             start,
             segment,
+            is_ahead,
         } = entry;
         // The top may lie on the way towards the turning point, or on the way back.
         let sine = |y: f64| segment.angle(y).sin;
@@ -417,7 +421,7 @@ impl<'a> Slide<'a> {
         let found = find_event_on_turning(&context, start, stays)?;
         let result = self.cut(&context, start, found);
         let point = result.point;
-        if start.z < 0.0 && point.z > 0.0 {
+        if *is_ahead && point.z > 0.0 {
             self.turning_points += 1.0;
         }
         self.frame = MotionFrame {
@@ -540,12 +544,7 @@ impl<'a> Slide<'a> {
         let loss = self.frame.slip_loss(period.duration);
         let is_rotation = period.delta_theta != 0.0;
         let periods_left = (self.time_left - elapsed) / period.duration;
-        // In the frame in which η′ < 0 they are followed one by one.
-        let periods = if self.frame.sigma > 0.0 {
-            (self.min_slip / loss).min(periods_left)
-        } else {
-            0.0
-        };
+        let periods = (self.min_slip / loss).min(periods_left);
         if loss <= 0.0 && (!is_rotation || law.friction == 0.0) {
             // η′ is no less after each period: there is no event at all.
             if periods_left == f64::INFINITY {
@@ -567,7 +566,7 @@ impl<'a> Slide<'a> {
             return Err(Fallback::TooLong);
         } else if periods > MIN_PERIODS_TO_SKIP {
             // Rounding might decide in the last ones: they are followed.
-            self.skip_periods(periods.floor() - 2.0, period);
+            self.skip_periods(periods.floor() - 1.0, period);
         }
         Ok(None)
     }
@@ -793,5 +792,6 @@ fn turning_segment_near<'a>(
         },
         start: SlidePoint { z, angle, ..*point },
         segment,
+        is_ahead,
     })
 }

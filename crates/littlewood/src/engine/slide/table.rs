@@ -312,9 +312,13 @@ impl SlideTable {
 
     /// u_c of a slide with this u at an angle on the table.
     pub(super) fn u_centre(&self, angle: Angle, u: f64) -> f64 {
-        let t = self.coordinate(angle);
-        let at_point = |series: &Series| value(&series[..=self.degree], t);
-        (u - at_point(&self.p)) / at_point(&self.h)
+        self.u_centre_at(self.coordinate(angle), self.degree, u)
+    }
+
+    /// The same at a coordinate up to which the series have this degree.
+    fn u_centre_at(&self, t: f64, degree: usize, u: f64) -> f64 {
+        let at = |series: &Series| value(&series[..=degree], t);
+        (u - at(&self.p)) / at(&self.h)
     }
 
     /// u_c of a slide with this u at the beginning of the interval.
@@ -393,8 +397,7 @@ impl SlideTable {
         } else {
             self.degree
         };
-        let at_point = |series: &Series| value(&series[..=degree], z);
-        let u_centre = (point.u - at_point(&self.p)) / at_point(&self.h);
+        let u_centre = self.u_centre_at(z, degree, point.u);
         let slope = self.p[1] + u_centre * self.h[1];
         let span = |end: f64| Span { start: z, end };
         // Most intervals that fail do so by the slope, which costs one product.

@@ -225,8 +225,8 @@ impl Flight {
         }
     }
 
-    /// Why there is no landing, if there is none. On a steep slope a flight may last for more turns
-    /// than can be counted.
+    /// Why the landing is not resolved: on a steep slope a flight may last for more turns than
+    /// doubles tell apart.
     pub(crate) fn undecided(&self) -> Option<Undecided> {
         (self.landing.at >= MAX_RESOLVED_ANGLE).then_some(Undecided::Range {
             quantity: Quantity::Theta,

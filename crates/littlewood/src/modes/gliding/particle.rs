@@ -63,7 +63,7 @@ pub(super) struct Particle {
     /// V0.
     pub(super) rise: f64,
     pub(super) momentum: f64,
-    /// Horizontal position of the mass centre at the start.
+    /// Position of the mass centre along the plane at the start.
     mass_centre: f64,
 }
 

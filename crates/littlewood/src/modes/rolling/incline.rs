@@ -30,6 +30,10 @@ const MAX_SCREEN_DEPTH: u32 = 3;
 /// term is then below 1e-16 of a term.
 const SINGLE_TERMS: u32 = 32;
 
+/// A motion whose turning point is nearer begins there: on the way energies would underflow, and
+/// their inverses overflow. Parts ε of ε of it are normal numbers.
+const MIN_TURNING_DISTANCE: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
+
 /// The rolling orbit of a hoop on a slope through a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Incline {
@@ -89,6 +93,15 @@ struct LegPoint {
 
 impl Incline {
     pub(super) fn new(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
+        let orbit = Self::with_rate(hoop, law, theta, theta_rate);
+        let reach = orbit.first.turning_distance;
+        if orbit.first.kinetic > 0.0 && reach.is_some_and(|it| it.total() < MIN_TURNING_DISTANCE) {
+            return Self::with_rate(hoop, law, theta, 0.0);
+        }
+        orbit
+    }
+
+    fn with_rate(hoop: &Hoop, law: RollingLaw, theta: f64, theta_rate: f64) -> Self {
         let (sin, cos) = libm::sincos(theta);
         let kinetic = law.denominator(theta) * theta_rate * theta_rate;
         // At a turning point gravity decides the direction of motion.

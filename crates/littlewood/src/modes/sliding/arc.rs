@@ -6,7 +6,7 @@ use core::ops::ControlFlow;
 use crate::ablation::{Part, is_on};
 use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
-use crate::math::trig::{WholeTurns, split_turns};
+use crate::math::trig::{Angle, WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Heavy, Hoop, MAX_TIME, Mode, SlipDirection, State};
 use crate::modes::{Instant, Margin, Recurrence, Sample, Undecided};
@@ -179,7 +179,9 @@ struct StepEnds {
 
 impl StepEnds {
     fn turns_back(&self) -> bool {
-        self.next.place.rate * self.here.place.rate < 0.0
+        let [here, next] = [self.here.place.rate, self.next.place.rate];
+        // The product of the two may underflow.
+        (here < 0.0 && next > 0.0) || (here > 0.0 && next < 0.0)
     }
 }
 
@@ -384,6 +386,7 @@ impl Sliding {
                 known_roots: 0,
             };
         }
+        let computed = series.slip;
         series.slip[0] = 0.0;
         series.slip[1] = slip_acceleration;
         let known_roots = if slip_acceleration == 0.0 {
@@ -394,14 +397,31 @@ impl Sliding {
         } else {
             1
         };
-        series.slip[1..known_roots]
-            .iter_mut()
-            .skip(1)
-            .for_each(|c| *c = 0.0);
+        for (n, rounding) in computed.iter().enumerate().take(known_roots).skip(1) {
+            self.take_from_slip(&mut series, n, *rounding);
+        }
         Expansion {
             series,
             known_roots,
         }
+    }
+
+    /// Sets coefficient n of η′ at the start, which is rounding, to zero. It comes from that of θ′,
+    /// in a light hoop from the last digit of the angle times m h/Î, so that as much is taken from
+    /// θ′: otherwise η′ − θ′ (1 + h c + μk σ h s) would change throughout the first step.
+    fn take_from_slip(&self, series: &mut SlideSeries, n: usize, rounding: f64) {
+        series.slip[n] = 0.0;
+        let Angle { sin, cos } = self.start.theta.angle();
+        let h = self.law.body.h;
+        let coefficient = self.law.slip_coefficient(sin, cos);
+        let terms = 1.0 + h * (cos.abs() + (self.law.friction * sin).abs());
+        // Where the terms of the coefficient cancel, the rounding may be theirs.
+        if coefficient.abs() < 0.5 * terms {
+            return;
+        }
+        let excess = rounding / coefficient;
+        series.theta_rate[n] -= excess;
+        series.theta[n + 1] -= excess / (n + 1) as f64;
     }
 
     /// The width of the step from a point, or the end of a slide that no step continues.
@@ -512,7 +532,7 @@ impl Sliding {
         if sign * self.law.mean_slip_loss() > 0.0 {
             return None;
         }
-        if next.place.rate * here.place.rate < 0.0 {
+        if ends.turns_back() {
             let at = root(&series.theta_rate, 0.0, here.place.rate.signum(), width);
             self.turnings
                 .push((here.elapsed + at, value(&series.theta, at)));

@@ -8,7 +8,7 @@ named! {
     pub enum Margin, "margin",
     /// Name in sentences, and dimension.
     row: (&'static str, Dimension) {
-        /// P of a slide.
+        /// P of a slide, or of the slip in an impact.
         Painleve = 0, "painleve" => ("P", Dimension::Ratio);
         /// η′ of a slide in the limit P = 0.
         SlipAtSingularity = 1, "slip_at_singularity" => ("η′ in the limit P = 0", Dimension::Velocity);
@@ -17,7 +17,12 @@ named! {
         /// The time in which a slide changes, against the last digit of τ.
         TimeScale = 3, "time_scale" => ("the time in which the slide changes", Dimension::Time);
         /// The gap rate after an impact, against the smallest number with all digits.
-        GapRate = 4, "gap_rate" => ("the gap rate after the impact", Dimension::Velocity);
+        GapRate = 4, "gap_rate_after_impact" => ("the gap rate after the impact", Dimension::Velocity);
+        /// |B|/A − μs where slip ends in an impact: the friction that a stick needs, less what there is.
+        ImpactFriction = 5, "impact_friction" => (
+            "|B|/A − μs where the slip of the impact ends",
+            Dimension::Ratio
+        );
     }
 }
 
