@@ -68,7 +68,7 @@ impl PhaseSolution {
         }
     }
 
-    /// Direction of slip; none for rolling and flight.
+    /// Direction of slip; none for rolling, rest and flight.
     pub(crate) fn direction(&self) -> Option<SlipDirection> {
         match self {
             Self::Sliding(slide) => Some(slide.direction()),
