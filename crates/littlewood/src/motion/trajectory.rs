@@ -96,9 +96,12 @@ impl Phase {
     pub fn take_off_rate(&self) -> f64 {
         match &self.solution {
             PhaseSolution::Flight(flight) => self.origin.velocity(flight.take_off_rate()),
-            PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) => {
-                0.0
-            }
+            PhaseSolution::Rolling(_)
+            | PhaseSolution::ResistedRolling(_)
+            | PhaseSolution::Sliding(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => 0.0,
         }
     }
 
@@ -109,9 +112,12 @@ impl Phase {
             PhaseSolution::Rolling(rolling) => {
                 Some(self.origin.recurrence(rolling.orbit().recurrence()))
             }
-            PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => {
-                None
-            }
+            PhaseSolution::Sliding(_)
+            | PhaseSolution::ResistedRolling(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Flight(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => None,
         }
     }
 
