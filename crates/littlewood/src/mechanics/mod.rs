@@ -8,6 +8,8 @@ pub(crate) mod frictionless;
 pub(crate) mod impact;
 pub(crate) mod lift_off;
 pub(crate) mod region;
+mod resisted_impact;
+mod resisted_settling;
 pub(crate) mod reverse_chatter;
 pub(crate) mod settling;
 pub(crate) mod solvability;

@@ -23,6 +23,19 @@ named! {
             "|B|/A − μs where the slip of the impact ends",
             Dimension::Ratio
         );
+        /// D_χ of rolling with resistance, where the contact does not slip.
+        ResistedDenominator = 6, "resisted_denominator" => ("D_χ", Dimension::Ratio);
+        /// η′ where the rotation of an impact ends: which of both ends first.
+        ImpactOrder = 7, "slip_where_rotation_ends" => (
+            "η′ where the rotation of the impact ends",
+            Dimension::Velocity
+        );
+        /// The coefficient of restitution, less that with which an impact ends just before its gap
+        /// rate falls.
+        RestitutionOfFall = 8, "restitution_of_fall" => (
+            "e, less that of an impact that ends just before its gap rate falls",
+            Dimension::Ratio
+        );
     }
 }
 

@@ -378,7 +378,7 @@ impl<'a> Tangents<'a> {
         EventJump {
             before,
             after,
-            work: impact.normal_work + impact.friction_work,
+            work: -impact.lost(),
         }
     }
 
