@@ -1823,6 +1823,8 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
     Only rolling repeats itself.
     """
     run, start = Followed(phase), phase.start
+    if phase.mode == REST:
+        return run
     limit = None if given.until is None else given.until - start.time
     if (
         phase.mode == ROLLING
@@ -2166,6 +2168,8 @@ class Impact:
     friction: Range
     case: str
     evidence: dict[str, Range]
+    last: Next = ARRIVED
+    """What its last segment holds."""
 
 
 def impact(body: Body, before: State, e: Range, law: str) -> Impact:
@@ -2216,6 +2220,121 @@ def impact(body: Body, before: State, e: Range, law: str) -> Impact:
     spin = (body.h * s * normal + (1 + body.h * c) * friction) / body.inertia
     after = replace(before, rate=before.rate + spin, slip=slip, gap=Range(0), gap_rate=opening)
     return Impact(after, normal, friction, case, evidence)
+
+
+# An impact with rolling resistance (docs/theory/rolling-resistance.md), whose couple is −ς χ a unit
+# of normal impulse, or holds the angle. With the friction f and the couple k a unit of impulse adds
+# (h s + (1 + h c) f + k)/Î to θ′; what it adds to the slip and to the gap rate follows. So all
+# velocities are lines between the impulses where η′ or θ′ vanishes, and the segment that follows
+# there is chosen as a mode of motion is.
+
+
+@dataclass(frozen=True)
+class Segment:
+    """Two signs, the friction and the couple a unit of impulse, and what that does."""
+
+    signs: tuple[int, int]
+    friction: Range
+    couple: Range
+    slip: Range
+    rate: Range
+    gap_rate: Range
+
+
+def segment(body: Body, before: State, rates: tuple[Range, Range]) -> Segment:
+    """Return the segment that begins with a slip and a rate."""
+    s, c = sine_and_cosine(before.theta)
+    arm, lever, zero = body.h * s, 1 + body.h * c, Range(0)
+    along, across, _ = body.compliances(s, c)
+    ways = [(one.sign(),) if not one.is_zero() else (0, -1, 1) for one in rates]
+
+    def made(sigma: int, rotation: int) -> Segment | None:
+        friction, couple = -(body.mu_k * sigma), -(body.chi * rotation)
+        if sigma == 0:
+            friction = -(across + lever * couple / body.inertia) / along if rotation else zero
+        if rotation == 0:
+            couple = -(arm + lever * friction)
+        spin = (arm + lever * friction + couple) / body.inertia if rotation else zero
+        slip = friction / body.m + lever * spin if sigma else zero
+        held = [(friction, body.mu_s)] if sigma == 0 else []
+        held += [(couple, body.chi)] if rotation == 0 else []
+        if any(not need.is_zero() and (most - abs(need)).sign() < 0 for need, most in held):
+            return None
+        begins = [(slip, sigma)] if sigma and rates[0].is_zero() else []
+        begins += [(spin, rotation)] if rotation and rates[1].is_zero() else []
+        if any((value * sign).sign() <= 0 for value, sign in begins):
+            return None
+        return Segment((sigma, rotation), friction, couple, slip, spin, 1 / body.m + arm * spin)
+
+    for zeros in (2, 1, 0):
+        signs = [(a, b) for a in ways[0] for b in ways[1] if (a, b).count(0) == zeros]
+        found = [one for one in (made(*pair) for pair in signs) if one is not None]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            break
+    raise Inconclusive("an impact has no segment, or two")
+
+
+def impact_with_couple(body: Body, before: State, e: Range, law: str) -> Impact:
+    """Follow an impact with rolling resistance; without a gap rate it is a jam."""
+    slip, rate, v = before.slip, before.rate, before.gap_rate
+    p = friction = work = Range(0)
+    # Impulse and work of the compression, once it has ended.
+    pressed: tuple[Range, Range] | None = None
+    passed: list[tuple[Segment, Range, bool]] = []
+    while True:
+        now = segment(body, before, (slip, rate))
+        if not passed or passed[-1][0].signs != now.signs:
+            passed.append((now, p, pressed is None))
+        ends = [
+            (-(value / change), name)
+            for name, value, change in (("slip", slip, now.slip), ("rate", rate, now.rate))
+            if not value.is_zero() and change.sign() * value.sign() < 0
+        ]
+        if pressed is None:
+            ends += [(-(v / now.gap_rate), "pressed")] if now.gap_rate.sign() > 0 else []
+        elif law == "poisson":
+            ends.append((pressed[0] * (1 + e) - p, "over"))
+        else:
+            opening = -(e * before.gap_rate)
+            if law == "energetic":
+                # The work that is left, from e² of that of compression.
+                left = -(e * e * pressed[1]) - (work - pressed[1])
+                opening = (v * v + 2 * (now.gap_rate * left)).sqrt()
+            ends.append(((opening - v) / now.gap_rate, "over"))
+        if not ends:
+            raise Inconclusive("an impact jams for ever")
+        step, name = ends[0]
+        for one in ends[1:]:
+            if (step - one[0]).sign() > 0:
+                step, name = one
+        work += step * (2 * v + now.gap_rate * step) / 2
+        p, friction, v = p + step, friction + now.friction * step, v + now.gap_rate * step
+        slip = slip + now.slip * step if name != "slip" else Range(0)
+        rate = rate + now.rate * step if name != "rate" else Range(0)
+        if name == "pressed":
+            pressed, v = (p, work), Range(0)
+        if name == "over" or (name == "pressed" and e.is_zero()):
+            break
+    evidence = {f"k{k}": one.gap_rate for k, (one, *_) in enumerate(passed, 1)}
+    evidence |= {f"segment_{k}": begin for k, (_, begin, _) in enumerate(passed[1:], 2)}
+    after = replace(before, rate=rate, slip=slip, gap=Range(0), gap_rate=v)
+    last = Next("", now.signs[0], {}, 0, now.signs[1])
+    return Impact(after, p, friction, _case_of(passed), evidence, last)
+
+
+def _case_of(passed: list[tuple[Segment, Range, bool]]) -> str:
+    """Return what the slip does in an impact."""
+    first = passed[0][0]
+    if first.gap_rate.sign() < 0:
+        return "jams"
+    for one, _, compresses in passed:
+        sigma = one.signs[0]
+        if sigma == 0 or sigma != first.signs[0]:
+            where = "compression" if compresses else "restitution"
+            return f"{'reverses' if sigma else 'sticks'}_in_{where}"
+    return "slides"
 
 
 # Bounces that accumulate: an enclosure of what infinitely many of them still do.
@@ -2393,7 +2512,7 @@ class Walk:
         self.phases: list[dict[str, Any]] = []
         self.events: list[dict[str, Any]] = []
         self.slides, self.impacts, self.resistance = Range(0), Range(0), Range(0)
-        self.numbers = self.steps = 0
+        self.numbers = self.steps = self.half_swings = 0
 
     def text(self, value: Range, where: str, name: str = "") -> list[str]:
         """Return the text of a number, in the unit of the quantity of this name."""
@@ -2523,6 +2642,8 @@ class Walk:
                 found if turn is None else found | self.texts({"period": turn.period}, "the end"),
             )
         self.losses(run, end)
+        if run.guard == TURNING and now.mode == ROLLING and state.rate.is_zero():
+            self.half_swings += 1
         if run.guard == TIME:
             return end, now, False, {"kind": TIME, "state": self.state(end, "the end")}
         if run.guard == GAP and given.restitution is not None:
@@ -2552,9 +2673,9 @@ class Walk:
 
     def rest(self, state: State) -> dict[str, Any]:
         """Write the rest of a motion, and return its end."""
-        self.phase(Followed(Phase(self.given, state, REST)))
-        count = sum(one["cause"] == TURNING for one in self.events)
-        return {"kind": "rests", "state": self.state(state, "the end"), "half_swings": count}
+        self.phase(self.run(Phase(self.given, state, REST)))
+        written = self.state(state, "the end")
+        return {"kind": "rests", "state": written, "half_swings": self.half_swings}
 
     def phase(self, run: Followed) -> None:
         """Write a phase: without an end, samples of four units of time."""
@@ -2621,11 +2742,10 @@ class Walk:
         """
         given = self.given
         assert given.restitution is not None
-        if given.resists:
-            raise Refused("impacts with rolling resistance are not proved")
-        hit = impact(given.body, before, given.restitution, given.law)
+        follow = impact_with_couple if given.resists else impact
+        hit = follow(given.body, before, given.restitution, given.law)
         after = hit.after
-        now = decide(given, after, before=ARRIVED) if after.gap_rate.is_zero() else _opening(after)
+        now = decide(given, after, before=hit.last) if after.gap_rate.is_zero() else _opening(after)
         lost = energy(given.body, before) - energy(given.body, after)
         self.impacts += lost
         where = f"the impact of event {len(self.events)}"
@@ -2650,8 +2770,9 @@ class Walk:
         """Follow bounces one by one, enclose those that remain, and write all of them together."""
         given = self.given
         assert given.restitution is not None
-        if not given.level:
-            raise Refused("bounces on a slope are not proved to settle")
+        if not given.level or given.resists:
+            where = "with rolling resistance" if given.level else "on a slope"
+            raise Refused(f"bounces {where} are not proved to settle")
         self.phases.append({"mode": FLIGHT, "direction": 0, "samples": []})
         state, normal, friction = first, Range(0), Range(0)
         while not exceeds(slowest(), state.gap_rate):

@@ -13,6 +13,7 @@ from .case import Case
 from .flight import Flight
 from .gliding import PLANE, Glide, decide_massless
 from .impact import Impact, impact
+from .impact_resisted import impact_resisted
 from .phase import TIME, Followed, Piece, follow
 from .resisted import (
     Held,
@@ -77,7 +78,7 @@ class Motion:
     recurrence: str = ""
     period: Ball | None = None
     half_swings: int | None = None
-    """Of a motion that comes to rest: how often θ′ has vanished."""
+    """Of a motion that comes to rest: how often it has rolled from one θ′ = 0 to the next."""
 
 
 @dataclass
@@ -119,7 +120,7 @@ class Walk:
         )
         self.until = None if case.until is None else ball(Fraction(case.until)) / self.clock
         self.restitution = None if case.restitution is None else ball(Fraction(case.restitution))
-        self.pieces = 0
+        self.pieces = self.half_swings = 0
         self.bouncing: _Bouncing | None = None
 
     def follow(self) -> Motion:
@@ -303,6 +304,7 @@ class Walk:
             self._end(TIME, end)
             return end, now
         if not found.guard:
+            self.half_swings += rolls and state.rate.is_zero()
             return self._event(TURNING_POINT, end, self._decide(end, after=now))
         if rolls:
             side = SIDES[found.guard]
@@ -326,7 +328,7 @@ class Walk:
     def _rest(self, state: State, now: Next) -> tuple[State, Next]:
         motion = self.motion
         self._phase(now, state, None, lambda time: replace(state, time=time))
-        motion.half_swings = sum(one.cause == TURNING_POINT for one in motion.events)
+        motion.half_swings = self.half_swings
         self._end("rests", state)
         return state, now
 
@@ -380,13 +382,16 @@ class Walk:
         return self._event("landing", landing, Next("", 0, {"gap_rate": landing.gap_rate}))
 
     def _hit(self, cause: str, before: State, restitution: Ball) -> tuple[State, Next]:
-        if self.body.resists:
-            raise Beyond("impacts with rolling resistance are not proved")
-        hit = impact(self.body, before, restitution, self.law)
+        body, held = self.body, None
+        if body.resists:
+            hit, held = impact_resisted(body, before, restitution, self.law)
+        else:
+            hit = impact(body, before, restitution, self.law)
         after = hit.after
         self.bouncing = None
         if after.gap_rate.is_zero():
-            return self._event(cause, after, decide(self.body, after), before, hit)
+            now = decide(body, after) if held is None else decide_resisted(body, after, held=held)
+            return self._event(cause, after, now, before, hit)
         if not after.gap_rate > 0:
             raise Undecided("whether the gap opens after an impact is not decided")
         found = self._event(
@@ -405,8 +410,9 @@ class Walk:
     def _bounce(self, flight: Flight, bouncing: _Bouncing, e: Ball) -> tuple[State, Next]:
         """Follow a bounce that is not listed, or the rest of them."""
         body, state = self.body, flight.start
-        if not body.is_level:
-            raise Beyond("bounces on a slope are not proved to settle")
+        if not body.is_level or body.resists:
+            why = "with rolling resistance" if body.is_level else "on a slope"
+            raise Beyond(f"bounces {why} are not proved to settle")
         rest = rest_of_bounces(body, state, e, self.law)
         if rest is not None:
             return self._settle(bouncing, rest)
