@@ -28,14 +28,14 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
             "0 is an impact without rebound",
         ),
         (
-            &["--rolling-resistance-m", "-1"],
-            "rolling_resistance_m = -1 m must not be negative",
+            &["--rolling-resistance", "-1"],
+            "rolling_resistance = -1 must not be negative",
             "0 is a hoop that rolls for ever",
         ),
         (
-            &["--rolling-resistance-m", "0.01"],
-            "rolling_resistance_m = 0.01 m must not exceed 0",
-            "motions with rolling resistance are not built yet",
+            &["--rolling-resistance", "0.01"],
+            "rolling_resistance = 0.01: motions with rolling resistance are not built yet",
+            "leave it out, or set it to 0",
         ),
         (
             &["--restitution", "nan"],

@@ -369,7 +369,10 @@ impl<'a> Shown<'a> {
                 let value = part.of(parts);
                 let height = match part {
                     EnergyPart::Potential => value - least,
-                    EnergyPart::Kinetic | EnergyPart::Friction | EnergyPart::Impacts => value,
+                    EnergyPart::Kinetic
+                    | EnergyPart::Friction
+                    | EnergyPart::RollingResistance
+                    | EnergyPart::Impacts => value,
                 };
                 [*time, below + height.max(0.0)]
             };

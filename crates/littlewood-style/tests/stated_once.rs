@@ -51,6 +51,11 @@ const EXCEPTIONS: &[Exception] = &[
         reason: "the noun of a message about an unknown name",
     },
     Exception {
+        file: "crates/littlewood/src/engine/fallback.rs",
+        texts: &["turning_point"],
+        reason: "a reason to leave a slide to the simulation, not an event of it",
+    },
+    Exception {
         file: "crates/littlewood-sweep/src/description.rs",
         texts: &["transitions"],
         reason: "the limit of a run, not the count of a summary",

@@ -98,7 +98,7 @@ pub use engine::Engine;
 pub use model::error::ParameterError;
 pub use model::hoop::{Hoop, HoopParameters};
 pub use model::limits::{Limits, Proof};
-pub use model::mode::{Mode, SlipDirection};
+pub use model::mode::{Mode, RotationDirection, SlipDirection};
 pub use model::restitution::{Restitution, RestitutionLaw};
 pub use model::state::{Start, State};
 pub use modes::sample::Sample;

@@ -189,7 +189,7 @@ struct Margin {
 fn margins(hoop: &Hoop, sample: &Sample, direction: Option<SlipDirection>) -> Vec<Margin> {
     let rounding = LAW_ROUNDING * size(hoop, sample);
     match sample.mode {
-        Mode::Rolling => {
+        Mode::Rolling | Mode::Rest => {
             let sizes = Sizes::of_motion(hoop, sample.state);
             vec![
                 Margin {
@@ -213,7 +213,7 @@ fn margins(hoop: &Hoop, sample: &Sample, direction: Option<SlipDirection>) -> Ve
             rounding: 1e-13 * size(hoop, sample)
                 + 4.0 * f64::EPSILON * (sample.state.time * sample.slip_acceleration).abs(),
         }],
-        Mode::Gliding => vec![Margin {
+        Mode::Gliding | Mode::Skidding => vec![Margin {
             name: "slip",
             value: sign(direction) * sample.state.slip,
             rounding,

@@ -201,6 +201,8 @@ export const MODES = [
   'sliding',
   'gliding',
   'flight',
+  'rest',
+  'skidding',
 ] as const;
 export type Mode = (typeof MODES)[number];
 
@@ -219,6 +221,7 @@ export const CAUSES = [
   'singularity',
   'settle',
   'jam',
+  'turning_point',
 ] as const;
 export type Cause = (typeof CAUSES)[number];
 
@@ -237,6 +240,7 @@ export const CAUSE_LABELS = {
   singularity: 'P = 0',
   settle: 'settles',
   jam: 'jam',
+  turning_point: 'turning point',
 } as const satisfies Record<Cause, string>;
 
 /** How a motion ends. */
@@ -257,6 +261,7 @@ export const OUTCOMES = [
   'slips_forever',
   'repeats_forever',
   'stays_in_contact',
+  'rests',
   'not_computed',
   'invalid',
 ] as const;
@@ -288,6 +293,7 @@ export const OUTCOME_ROWS = {
   slips_forever: { label: 'slips for ever', forever: false, lastEvent: null },
   repeats_forever: { label: 'repeats for ever', forever: false, lastEvent: null },
   stays_in_contact: { label: 'stays in contact', forever: false, lastEvent: null },
+  rests: { label: 'rests', forever: true, lastEvent: null },
   not_computed: { label: 'not computed', forever: false, lastEvent: null },
   invalid: { label: 'invalid parameters', forever: false, lastEvent: null },
 } as const satisfies Record<OutcomeKind, OutcomeRow>;
@@ -307,6 +313,7 @@ export const CLASSES = [
   'unresolved',
   'invalid',
   'not_computed',
+  'rests',
 ] as const;
 export type Class = (typeof CLASSES)[number];
 
@@ -325,6 +332,7 @@ export const CLASS_LABELS = {
   unresolved: 'unresolved',
   invalid: 'invalid parameters',
   not_computed: 'not computed',
+  rests: 'rests',
 } as const satisfies Record<Class, string>;
 
 /** Laws of restitution. The first is that of a coefficient alone. */
@@ -418,4 +426,4 @@ export const VIEW_FIRST = {
 } as const satisfies Record<ViewKey, string>;
 
 /** What a core of the same version says of the order of names. */
-export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k rolling_resistance slope theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k rolling_resistance_m slope theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever repeats_forever slips_forever in_contact particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';
+export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k rolling_resistance slope theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k rolling_resistance_m slope theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight rest skidding; leaves_at_once lifts_off_later rolls_forever repeats_forever slips_forever in_contact particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed rests';

@@ -142,6 +142,8 @@ fn then(event: &Transition, scale: Scale<'_>) -> String {
         Some(Mode::Sliding) if event.after.slip == 0.0 => ", and it begins to slide".to_owned(),
         Some(Mode::Sliding) => format!(", and it slides {}", to_the(event.after.slip)),
         Some(Mode::Gliding) => ", and it glides".to_owned(),
+        Some(Mode::Rest) => ", and it rests".to_owned(),
+        Some(Mode::Skidding) => format!(", and it skids {}", to_the(event.after.slip)),
         None => String::new(),
     }
 }

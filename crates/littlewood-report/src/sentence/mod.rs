@@ -63,6 +63,11 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
                 gives_way(&forces, mu_s)
             )
         }
+        Mode::Rest => format!("Rests: {RESISTANCE_HOLDS}."),
+        Mode::Skidding => format!(
+            "Skids {}: it slips, and {RESISTANCE_HOLDS}.",
+            to_the(state.slip)
+        ),
         Mode::Flight => {
             let weight = if trajectory.hoop().slope() == 0.0 {
                 "1"
@@ -91,7 +96,11 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
     };
     Some(match event.cause {
         Cause::Slip => slip(event, mu_s),
+        Cause::Stick if event.to == Some(Mode::Rest) => {
+            format!("Comes to rest: the slip has died away, and {RESISTANCE_HOLDS}.")
+        }
         Cause::Stick => format!("Sticks and rolls: the slip has died away, and {HOLDS}."),
+        Cause::TurningPoint => turning_point(event, &forces, mu_s),
         Cause::Reversal if event.from == Some(Mode::Gliding) => {
             "The slip of the glide reverses: outside 𝓡 nothing holds the contact point.".to_owned()
         }
@@ -127,6 +136,22 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
                 .to_owned()
         }
     })
+}
+
+/// The rotation has come to a stop.
+fn turning_point(event: &Transition, forces: &ContactForces, mu_s: f64) -> String {
+    match event.to {
+        Some(Mode::Rest) => format!("Comes to rest: it has stopped, and {RESISTANCE_HOLDS}."),
+        Some(Mode::Skidding) => {
+            format!("Skids: it has stopped turning, and {RESISTANCE_HOLDS} while it slips.")
+        }
+        Some(Mode::Sliding) if event.from == Some(Mode::Rolling) => {
+            format!("Stops turning, and slips: {}.", gives_way(forces, mu_s))
+        }
+        Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None => {
+            "Turns back: it has stopped, and its weight outdoes the rolling resistance.".to_owned()
+        }
+    }
 }
 
 fn lift_off(hoop: &Hoop, event: &Transition, scale: Scale<'_>) -> String {
@@ -175,6 +200,9 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             scale.show_with_unit(Dimension::Time, period),
             (theta_gained / TAU).abs(),
         ),
+        Outcome::Rests { half_swings, .. } => {
+            format!("Rests for ever, after {half_swings} half swings: {RESISTANCE_HOLDS}.")
+        }
         Outcome::StaysInContact { .. } => {
             "Stays in contact for ever: energy and momentum do not suffice for a lift-off."
                 .to_owned()
@@ -256,6 +284,9 @@ fn unresolved(undecided: &Undecided, scale: Scale<'_>) -> String {
 /// rolls ([`friction`]).
 const HOLDS: &str = "static friction holds the contact point";
 
+/// Why a hoop does not begin to turn.
+const RESISTANCE_HOLDS: &str = "rolling resistance holds it against its weight";
+
 /// The friction that rolling needs at an instant, and that there is; none in another mode.
 pub fn friction(hoop: &Hoop, sample: &Sample) -> Option<String> {
     if sample.mode != Mode::Rolling {
@@ -294,7 +325,9 @@ fn slip(event: &Transition, mu_s: f64) -> String {
         }
         // With w < 0 friction alone has held it down.
         Some(Mode::Flight) => format!("Leaves, for it was wedged and gives way: {beyond}."),
-        Some(Mode::Rolling | Mode::Sliding) | None => format!("Slips: {beyond}."),
+        Some(Mode::Rolling | Mode::Sliding | Mode::Rest | Mode::Skidding) | None => {
+            format!("Slips: {beyond}.")
+        }
     }
 }
 

@@ -132,13 +132,13 @@ named! {
             .with_hint("a slope is an angle in radians: 30 degrees are 0.5236");
         /// Coefficient χ of rolling resistance, a length over the radius.
         RollingResistance = 26, "rolling_resistance" => row((DIMENSIONLESS, Group::Hoop, D::Length, Some(Self::RollingResistanceM)), ["chi", "χ"],
-            (NOT_BUILT, Presence::Default(0.0), [0.0, 0.2]), "coefficient of rolling resistance over the radius",
+            (PARAMETER, Presence::Default(0.0), [0.0, 0.2]), "coefficient of rolling resistance over the radius",
             "Coefficient of rolling resistance, a length over R: the plane resists the rotation with a couple of \
              up to chi N")
-            .with_hint("motions with rolling resistance are not built yet: leave it out");
+            .with_hint("rolling resistance is not negative: 0 is a hoop that rolls for ever");
         /// Coefficient of rolling resistance in metres.
         RollingResistanceM = 27, "rolling_resistance_m" => row((SI, Group::Hoop, D::Length, Some(Self::RollingResistance)), ["chi", "χ"],
-            (NOT_BUILT, Presence::Default(0.0), [0.0, 0.1]), "coefficient of rolling resistance",
+            (NON_NEGATIVE, Presence::Default(0.0), [0.0, 0.1]), "coefficient of rolling resistance",
             "Coefficient of rolling resistance, m");
     }
 }
@@ -312,8 +312,6 @@ pub(crate) const MAX_COORDINATE: f64 = 1e9;
 const MAX_RATE: f64 = 1e6;
 
 const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_PARAMETER)];
-/// Motions with rolling resistance are not built yet; then it has the bounds of a [`PARAMETER`].
-const NOT_BUILT: &[Bound] = &[Bound::NonNegative, Bound::AtMostConstant(0.0)];
 const COORDINATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_COORDINATE)];
 /// Longest time that is followed: the position of a slide grows with its square, which is a number.
 pub(crate) const MAX_TIME: f64 = 1e150;

@@ -264,9 +264,9 @@ impl PerturbedSolver<'_> {
         let least = f64::EPSILON * steps.sqrt();
         let moved = |value: f64, size: f64| self.signs.moved(value, least * size);
         let (h, friction) = match mode {
-            Mode::Rolling => (0.0, 0.0),
+            Mode::Rolling | Mode::Rest => (0.0, 0.0),
             Mode::Flight => (self.hoop().h(), 0.0),
-            Mode::Sliding | Mode::Gliding => (self.hoop().h(), self.hoop().mu_k()),
+            Mode::Sliding | Mode::Gliding | Mode::Skidding => (self.hoop().h(), self.hoop().mu_k()),
         };
         let duration = to.time - from.time;
         let rate = from.theta_rate.abs().max(to.theta_rate.abs());
@@ -277,7 +277,7 @@ impl PerturbedSolver<'_> {
             Mode::Rolling => (to.theta / to.theta_rate)
                 .abs()
                 .min(duration / f64::EPSILON),
-            Mode::Sliding | Mode::Gliding | Mode::Flight => 0.0,
+            Mode::Sliding | Mode::Gliding | Mode::Flight | Mode::Rest | Mode::Skidding => 0.0,
         };
         let along = if late == 0.0 {
             0.0

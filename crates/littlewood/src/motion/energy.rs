@@ -12,8 +12,10 @@ pub struct EnergyParts {
     pub kinetic: f64,
     /// Potential, U of (2.8): negative with the particle below C.
     pub potential: f64,
-    /// Lost to friction in sliding.
+    /// Lost to friction in slip.
     pub friction: f64,
+    /// Lost to rolling resistance.
+    pub rolling_resistance: f64,
     /// Lost in impacts; negative where Newton's law has gained more.
     pub impacts: f64,
     /// At the start.
@@ -28,42 +30,58 @@ pub struct EnergyLedger {
     phases: Vec<Entry>,
 }
 
-/// The start of a phase: its time and energy, and what had been lost to friction and in impacts.
+/// The start of a phase: its time and energy, and what had been lost before.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     time: f64,
     energy: f64,
+    lost: Losses,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Losses {
     friction: f64,
+    rolling_resistance: f64,
     impacts: f64,
+}
+
+impl Losses {
+    /// Adds what a phase in this mode has lost.
+    const fn add(&mut self, mode: Mode, lost: f64) {
+        match mode {
+            Mode::Rolling => self.rolling_resistance += lost,
+            Mode::Sliding | Mode::Skidding => self.friction += lost,
+            Mode::Gliding | Mode::Flight | Mode::Rest => {}
+        }
+    }
 }
 
 impl EnergyLedger {
     /// None for a motion that does not begin.
     pub fn new(trajectory: &Trajectory) -> Option<Self> {
         let hoop = *trajectory.hoop();
-        let (mut friction, mut impacts) = (0.0, 0.0);
+        let mut lost = Losses::default();
         // A jam at the start ends no phase.
         if let Some(first) = trajectory
             .transitions()
             .first()
             .filter(|first| first.from.is_none())
         {
-            impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
+            lost.impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
         }
-        let start = trajectory.phases().first()?.first().energy + impacts;
+        let start = trajectory.phases().first()?.first().energy + lost.impacts;
         let mut phases = Vec::with_capacity(trajectory.phases().len());
         for phase in trajectory.phases() {
             phases.push(Entry {
                 time: phase.start().time,
                 energy: phase.first().energy,
-                friction,
-                impacts,
+                lost,
             });
-            friction += phase.energy_lost();
+            lost.add(phase.mode(), phase.energy_lost());
             let impact = trajectory
                 .end_of(phase)
                 .and_then(|transition| transition.impact);
-            impacts += impact.map_or(0.0, |impact| impact.energy_lost());
+            lost.impacts += impact.map_or(0.0, |impact| impact.energy_lost());
         }
         Some(Self {
             hoop,
@@ -79,15 +97,23 @@ impl EnergyLedger {
         let place = after.max(1) - 1;
         let entry = self.phases.get(place)?;
         let potential = sample.potential_energy(&self.hoop);
-        let slides = match sample.mode {
-            Mode::Sliding => (entry.energy - sample.energy).max(0.0),
-            Mode::Rolling | Mode::Gliding | Mode::Flight => 0.0,
-        };
-        let (friction, impacts) = (entry.friction + slides, entry.impacts);
+        let mut lost = entry.lost;
+        if sample.mode != Mode::Rolling || self.hoop.rolling_resistance() > 0.0 {
+            lost.add(sample.mode, (entry.energy - sample.energy).max(0.0));
+        }
+        let Losses {
+            friction,
+            rolling_resistance,
+            impacts,
+        } = lost;
         // A part is a sum of energies, and so is each of what it is the difference of; what is lost
         // adds one for each phase and each impact before.
-        let size =
-            self.start.abs() + self.hoop.offset() + potential.abs() + friction + impacts.abs();
+        let size = self.start.abs()
+            + self.hoop.offset()
+            + potential.abs()
+            + friction
+            + rolling_resistance
+            + impacts.abs();
         let rounding = 4.0 * f64::EPSILON * size;
         let seen = |value: f64, count: usize| {
             if value.abs() > count as f64 * rounding {
@@ -100,11 +126,12 @@ impl EnergyLedger {
         // energy.
         let kinetic = Some(sample.energy - potential)
             .filter(|kinetic| kinetic.is_finite())
-            .unwrap_or(self.start - potential - friction - impacts);
+            .unwrap_or(self.start - potential - friction - rolling_resistance - impacts);
         Some(EnergyParts {
             kinetic: seen(kinetic, 1),
             potential: seen(potential, 1),
             friction: seen(friction, 2 * place + 1),
+            rolling_resistance: seen(rolling_resistance, 2 * place + 1),
             impacts: seen(impacts, 2 * place + 1),
             start: self.start,
         })

@@ -88,12 +88,17 @@ pub(crate) struct SummaryRecorder<'a> {
     jump_height: f64,
     /// Gap rate after the last impact, if no phase has followed.
     gap_rate: f64,
+    /// Whether the next phase continues the last one with the rotation reversed, so that both are
+    /// one in the sequence.
+    turns_back: bool,
 }
 
 impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
     fn phase(&mut self, phase: PhaseRecord, solution: S) {
-        self.summary.sequence.push(phase.mode, phase.direction);
+        if !self.turns_back {
+            self.summary.sequence.push(phase.mode, phase.direction);
+        }
         (self.flight, self.gap_rate) = (None, 0.0);
         let Some(flight) = solution.flight() else {
             return;
@@ -111,6 +116,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, _: Option<SlipDirection>) {
         self.summary.transitions = self.summary.transitions.saturating_add(1);
+        self.turns_back = event.cause == Cause::TurningPoint && event.from == event.to;
         match event.cause {
             Cause::Slip if self.summary.first_slip_time.is_nan() => {
                 self.summary.first_slip_time = self.origin.time(event.state.time);
@@ -135,7 +141,8 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
             | Cause::ParticleAtBottom
             | Cause::ParticleAtTop
             | Cause::Singularity
-            | Cause::Settle => {}
+            | Cause::Settle
+            | Cause::TurningPoint => {}
         }
         if let Some(impact) = impact {
             (self.flight, self.gap_rate) = (None, impact.after.gap_rate);
@@ -173,6 +180,7 @@ impl<'a> SummaryRecorder<'a> {
             flight: None,
             jump_height: f64::NAN,
             gap_rate: 0.0,
+            turns_back: false,
         }
     }
 

@@ -110,9 +110,15 @@ impl Phase {
         }
     }
 
-    /// Energy lost to friction during the phase.
+    /// Energy lost to friction and rolling resistance during the phase.
     pub fn energy_lost(&self) -> f64 {
-        if self.mode() != Mode::Sliding || self.hoop.mu_k() == 0.0 {
+        let loses = match self.mode() {
+            Mode::Rolling => self.hoop.rolling_resistance() > 0.0,
+            Mode::Sliding => self.hoop.mu_k() > 0.0 || self.hoop.rolling_resistance() > 0.0,
+            Mode::Skidding => self.hoop.mu_k() > 0.0,
+            Mode::Gliding | Mode::Flight | Mode::Rest => false,
+        };
+        if !loses {
             return 0.0;
         }
         let energy = |state: State| energy(&self.hoop, &state, 0.0, 0.0);
@@ -204,7 +210,7 @@ impl Trajectory {
         self.phases.last().map_or(self.start.time, Phase::end_time)
     }
 
-    /// Energy lost to sliding friction and in impacts.
+    /// Energy lost to friction, rolling resistance and impacts.
     pub fn energy_lost(&self) -> f64 {
         self.phases.iter().map(Phase::energy_lost).sum::<f64>() + self.impact_energy_lost()
     }

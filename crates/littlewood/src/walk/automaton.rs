@@ -39,6 +39,8 @@ named! {
         Settle = 11, "settle" => ("settles", false);
         /// Sliding with P ≤ 0: an impact without collision ends the slip (Painlevé).
         Jam = 12, "jam" => ("jam", false);
+        /// Rolling or sliding with rolling resistance: θ′ = 0.
+        TurningPoint = 13, "turning_point" => ("turning point", true);
     }
 }
 

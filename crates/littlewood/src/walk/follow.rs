@@ -641,13 +641,13 @@ fn after_event<T: Solver>(
         (_, None) => (None, None),
     };
     let cause = cause.unwrap_or_else(|| match next.mode() {
-        Some(Mode::Sliding | Mode::Gliding) => {
+        Some(Mode::Sliding | Mode::Gliding | Mode::Skidding) => {
             let same = next.direction().is_some() && next.direction() == direction;
             if same { Cause::Graze } else { Cause::Reversal }
         }
         // The normal force vanishes at the same instant.
         Some(Mode::Flight) => Cause::LiftOff,
-        Some(Mode::Rolling) | None => Cause::Stick,
+        Some(Mode::Rolling | Mode::Rest) | None => Cause::Stick,
     });
     PhaseStep {
         event: Event::new(state, mode, cause),

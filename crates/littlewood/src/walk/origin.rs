@@ -261,6 +261,7 @@ impl Origin {
                 ..
             }
             | Outcome::StaysInContact { .. }
+            | Outcome::Rests { .. }
             | Outcome::ParticleAtPlane { .. }
             | Outcome::ParticleAtBottom { .. }
             | Outcome::ParticleAtTop { .. }

@@ -609,6 +609,7 @@ impl<'a> Tangents<'a> {
             | Outcome::Landing { .. }
             | Outcome::SlipsForever { .. }
             | Outcome::StaysInContact { .. }
+            | Outcome::Rests { .. }
             | Outcome::TransitionLimit { .. }
             | Outcome::Inconsistent { .. }
             | Outcome::Ambiguous { .. }
