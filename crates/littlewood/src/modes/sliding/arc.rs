@@ -5,6 +5,7 @@ use core::ops::ControlFlow;
 
 use crate::ablation::{Part, is_on};
 use crate::math::number::Number;
+use crate::math::panel::Rule;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{Angle, WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
@@ -978,6 +979,27 @@ impl Sliding {
             slip,
             x: self.path.x(elapsed, place.theta.angle()),
         }
+    }
+
+    /// ∫ N |dθ| from the start of the phase to a time `elapsed` after it, in a slide that rolling
+    /// resistance slows. Such a slide makes no leaps, and the series of a step converge well beyond
+    /// its end, so that the integral of N |θ′| on a step is exact to rounding.
+    pub(crate) fn pressed_turn(&self, elapsed: f64) -> f64 {
+        let rule = Rule::get();
+        let ends = self.steps.iter().skip(1).map(|step| step.begin);
+        let over_step = |(step, end): (&TaylorStep, f64)| {
+            let half = 0.5 * (end.min(elapsed) - step.begin).max(0.0);
+            let power = rule.nodes.map(|node| {
+                let place = step.at(half * (1.0 + node)).place;
+                self.law.forces(place.theta, place.rate).normal * place.rate.abs()
+            });
+            half * rule.integral(&power)
+        };
+        self.steps
+            .iter()
+            .zip(ends.chain([elapsed]))
+            .map(over_step)
+            .sum()
     }
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
