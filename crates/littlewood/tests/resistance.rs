@@ -2,9 +2,13 @@
 //! equations alone, with 30 digits.
 
 use littlewood::{
-    Hoop, HoopParameters, Limits, Mode, Sample, SlipDirection, Start, State, Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Sample, SlipDirection, Start, State, Trajectory,
+    Transition,
 };
 use serde_json::Value;
+
+/// Gap rate of a slow bounce.
+const SLOW: f64 = -1e-3;
 
 const REFERENCE: &str = include_str!("../../../evidence/reference/resistance.json");
 
@@ -84,28 +88,40 @@ impl Comparison {
     }
 
     fn transitions(&self, ours: &Trajectory, theirs: &[Value]) {
-        let found = ours.transitions();
+        // The reference counts slow bounces, and lists none.
+        let is_slow = |it: &&Transition| {
+            let impact = it.impact.filter(|_| it.is_bounce());
+            impact.is_some_and(|impact| impact.before.gap_rate > SLOW)
+        };
+        let found = ours.transitions().iter().filter(|it| !is_slow(it));
+        let found: Vec<&Transition> = found.collect();
         assert_eq!(found.len(), theirs.len(), "{}: {found:?}", self.name);
-        for (ours, theirs) in found.iter().zip(theirs) {
+        for (ours, theirs) in found.into_iter().zip(theirs) {
             let cause = match name(&theirs["cause"]) {
                 "turning" => "turning_point",
                 cause => cause,
             };
             assert_eq!(ours.cause.name(), cause, "{}", self.name);
-            assert_eq!(
-                ours.to.map(Mode::name),
-                theirs["to"]["mode"].as_str(),
-                "{}",
-                self.name
-            );
+            let to = theirs["to"]["mode"].as_str();
+            assert_eq!(ours.to.map(Mode::name), to, "{}", self.name);
             let direction = f64::from(SlipDirection::code(ours.direction));
-            assert_eq!(
-                direction,
-                theirs["to"]["direction"].as_f64().unwrap_or(0.0),
-                "{}",
-                self.name
-            );
-            self.state(cause, &ours.before, theirs);
+            let expected = theirs["to"]["direction"].as_f64().unwrap_or(0.0);
+            assert_eq!(direction, expected, "{}", self.name);
+            if ours.cause == Cause::Settle {
+                // The state before is that before all bounces that the library sums.
+                self.close("settle time", ours.before.time, &theirs["time"]);
+                self.close("settle theta", ours.before.theta, &theirs["theta"]);
+            } else {
+                self.state(cause, &ours.before, theirs);
+            }
+            if let Some(after) = theirs.get("after").filter(|after| !after.is_null()) {
+                self.close(
+                    "theta_rate after",
+                    ours.after.theta_rate,
+                    &after["theta_rate"],
+                );
+                self.close("slip after", ours.after.slip, &after["slip"]);
+            }
         }
     }
 }
@@ -126,18 +142,13 @@ fn compare(belongs: impl Fn(&Value) -> bool) -> usize {
         let limits = Limits::until(number(&reference["until"]));
         let motion = hoop.simulate(start, limits).expect("a valid start");
         comparison.transitions(&motion, list(&reference["transitions"]));
-        for (phase, theirs) in motion.phases().iter().zip(list(&reference["phases"])) {
-            assert_eq!(
-                phase.mode().name(),
-                name(&theirs["mode"]),
-                "{}",
-                comparison.name
-            );
+        for theirs in list(&reference["phases"]) {
             let sample = &theirs["sample"];
-            let ours = motion
-                .at(number(&sample["time"]))
-                .expect("an instant of the motion");
-            comparison.sample(phase.mode().name(), &ours, sample);
+            let time = number(&sample["time"]);
+            let ours = motion.at(time).expect("an instant of the motion");
+            let mode = ours.mode.name();
+            assert_eq!(mode, name(&theirs["mode"]), "{}", comparison.name);
+            comparison.sample(mode, &ours, sample);
         }
         let ended = motion.outcome().kind().name();
         match name(&reference["ended"]) {
@@ -159,7 +170,7 @@ fn is_heavy(reference: &Value) -> bool {
 }
 
 #[test]
-fn motions_in_contact_agree_with_newton_euler_at_30_digits() {
-    let count = compare(|motion| is_heavy(motion) && motion["law"].is_null());
-    assert!(count >= 110, "{count}");
+fn motions_agree_with_newton_euler_at_30_digits() {
+    let count = compare(is_heavy);
+    assert_eq!(count, 154);
 }
