@@ -345,7 +345,83 @@ fn other_motions() -> Vec<Trajectory> {
             .expect("a valid start")
     })
     .chain(jams())
+    .chain(resisted())
     .collect()
+}
+
+/// With rolling resistance, on the level and on slopes.
+fn resisted() -> impl Iterator<Item = Trajectory> {
+    let hoop = |[mass_ratio, offset, inertia]: [f64; 3], [mu_s, mu_k, chi, slope]: [f64; 4]| {
+        let parameters = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k)
+            .with_rolling_resistance(chi)
+            .with_slope(slope);
+        Hoop::new(parameters).expect("a valid hoop")
+    };
+    let unit = [1.0, 0.6, 0.5];
+    [
+        (
+            unit,
+            [0.4, 0.3, 0.1, 0.0],
+            Start::at(1.21625, 0.0).with_slip(0.5),
+        ),
+        (
+            unit,
+            [0.4, 0.3, 0.1, 0.0],
+            Start::at(2.0, 1.5).with_slip(-0.5),
+        ),
+        (unit, [0.05, 0.04, 0.02, 0.0], Start::at(1.0, 0.5)),
+        (
+            unit,
+            [0.4, 0.3, 0.3, 0.0],
+            Start::at(3.0, 0.0).with_slip(0.5),
+        ),
+        // One to slide out of its turning point, and one to skid, on slopes.
+        (
+            [0.3878, 0.2, 0.3761],
+            [0.433, 0.4081, 0.1932, 1.1773],
+            Start::at(-2.1098, 0.0).with_slip(0.3355),
+        ),
+        (
+            [0.00587, 0.8517, 0.00233],
+            [0.3173, 0.3173, 0.4128, 0.41],
+            Start::at(-2.4, -0.53),
+        ),
+        (
+            [8.7e-4, 0.8357, 4.2e-4],
+            [0.1417, 0.1125, 0.0952, 0.7564],
+            Start::at(-2.13, 0.0).with_slip(1.45),
+        ),
+        (
+            [2.88, 0.478, 1.6],
+            [0.0495, 0.0406, 0.019, -0.5248],
+            Start::at(-2.998, 0.0).with_slip(-1.164),
+        ),
+        (
+            [0.0346, 0.4249, 0.00125],
+            [1.6177, 0.5067, 0.1038, 0.7685],
+            Start::at(2.369, 0.0).with_slip(0.3994),
+        ),
+        // Nothing is consistent where the slip of a light hoop begins, or ends.
+        (
+            [7.56e-4, 0.679, 5.96e-4],
+            [0.765, 0.443, 0.2583, 0.0],
+            Start::at(1.2327, 0.0),
+        ),
+        (
+            [1.453e-3, 1.0, 7.2e-4],
+            [2.627, 1.3794, 0.4241, 0.0],
+            Start::at(-1.3367, 0.036).with_slip(0.0197),
+        ),
+    ]
+    .into_iter()
+    .map(move |(body, plane, start)| {
+        hoop(body, plane)
+            .simulate(start, Limits::until(40.0))
+            .expect("a valid start")
+    })
 }
 
 /// Light hoops on rough planes, at P ≤ 0 from the start and later, with and without restitution.

@@ -42,6 +42,8 @@ struct Cursor<P> {
     /// Whether the motion slides without kinetic friction, on an orbit that does not leave the
     /// plane. Rounding of later states must not decide otherwise.
     stays_in_contact: bool,
+    /// Number of half swings with rolling resistance so far.
+    half_swings: usize,
 }
 
 impl<P> Cursor<P> {
@@ -60,6 +62,7 @@ impl<P> Cursor<P> {
             last_slip,
             slip_out_of_rolling: None,
             stays_in_contact: false,
+            half_swings: 0,
         }
     }
 
@@ -74,6 +77,7 @@ impl<P> Cursor<P> {
             last_slip: None,
             slip_out_of_rolling,
             stays_in_contact: false,
+            half_swings: 0,
         }
     }
 
@@ -431,6 +435,10 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
         ),
         NextMotion::Fly { body, take_off } => (Mode::Flight, solver.fly(point, body, *take_off)),
         NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(point, body, *entry)),
+        NextMotion::Resisted { body, motion } => (
+            motion.mode(),
+            solver.resisted(point, body, *motion, cursor.half_swings),
+        ),
         NextMotion::Settle { body, settling } => {
             (Mode::Flight, solver.settle(point, body, settling))
         }
@@ -445,6 +453,11 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
             };
             let rebound = jam(solver, cursor, None, state);
             return rebound_or_end(log.recorder, rebound, end);
+        }
+        NextMotion::Undecided(undecided) => {
+            log.flush(None);
+            let undecided = *undecided;
+            return Err(Outcome::Unresolved { state, undecided }.into());
         }
         NextMotion::Several(candidates) => {
             log.flush(None);
@@ -517,11 +530,14 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             point,
             cause,
             arrival,
-        } => Ok(after_event(
-            solver,
-            cursor,
-            ended(Some(cause), point, arrival),
-        )),
+        } => {
+            let turns_back = cause == Cause::TurningPoint && mode == Mode::Rolling;
+            if turns_back && phase.start.theta_rate == 0.0 {
+                cursor.half_swings += 1;
+            }
+            let ended = ended(Some(cause), point, arrival);
+            Ok(after_event(solver, cursor, ended))
+        }
         PhaseEnd::Settled { state, settling } => {
             Ok(after_settling(solver, cursor, state, &settling))
         }
@@ -687,7 +703,7 @@ fn land<T: Solver>(
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
     let contact = Contact::new(hoop, &body, state.theta);
     let impact = contact.impact(before, restitution);
-    if let Some(undecided) = contact.undecided(&impact) {
+    if let Some(undecided) = contact.undecided(&impact, restitution) {
         return Rebound::Unresolved { event, undecided };
     }
     after_impact(solver, cursor, &body, event, impact)
@@ -700,10 +716,12 @@ fn jam<T: Solver>(
     from: Option<Mode>,
     state: State,
 ) -> Rebound {
-    let Body::Heavy(body) = solver.hoop().body() else {
+    let hoop = solver.hoop();
+    let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else {
         return Rebound::None;
     };
-    let Some(impact) = solver.hoop().jam(&state) else {
+    let contact = Contact::new(hoop, &body, state.theta);
+    let Some(impact) = contact.jam(ContactVelocities::of(&state, 0.0), restitution) else {
         return Rebound::None;
     };
     let event = Event {
@@ -712,6 +730,9 @@ fn jam<T: Solver>(
         to: None,
         cause: Cause::Jam,
     };
+    if let Some(undecided) = contact.undecided_jam(&impact, restitution) {
+        return Rebound::Unresolved { event, undecided };
+    }
     after_impact(solver, cursor, &body, event, impact)
 }
 
