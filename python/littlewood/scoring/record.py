@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from .._internal.elementwise import Reals, reals
-from .._internal.text_table import NUMBER, TableFileError, TextTable, read_text_table
+from .._internal.table_layouts import read_text_table
+from .._internal.text_table import NUMBER, TableFileError, TextTable
 
 if TYPE_CHECKING:
     from ..units import Units
