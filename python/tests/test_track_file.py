@@ -341,6 +341,7 @@ REFUSED = {
         "line 2: has the point 'marker' alone, .*; track the centre, too; or if it is the centre: "
         'centre="marker"',
     ),
+    "a point over no column": (" a\nt\n0\n", "line 1: has 1 names of points over 0 columns"),
     "points whose names do not fit": (
         " a b  c  \nt x y x\n0 1 2 3\n",
         "line 1: has 2 names of points over 3 columns; export the data with tabs",
@@ -399,6 +400,8 @@ def test_what_cannot_be_read_is_refused_with_its_place(tmp_path, units, text, me
     [
         (b"PK\x03\x04rest", "is a spreadsheet or an archive: save the sheet as CSV"),
         (b"<?xml version='1.0'?>", "is a project or a web page: export the data"),
+        (b'{"coordinates": []}', "is JSON: export the data of the track as CSV"),
+        (b"\x89HDF\r\n\x1a\n", "is HDF5: export the data of the track as CSV"),
         (b"time_s,x_m\n0,\x00\n", "is not text: byte 13 is 0"),
         (b"time_s,x_m\n0,\xb5\n", "line 2: byte 0xb5 is not UTF-8; save the file as UTF-8"),
     ],

@@ -91,7 +91,7 @@ def _owners_by_spaces(file: str, head: int, line: str, count: int) -> list[str]:
     As many spaces follow the name of each as it has columns; a name may have spaces in it.
     """
     text = line[1:].rstrip(" ")
-    each = len(line) - len(line.rstrip(" ")) or count
+    each = len(line) - len(line.rstrip(" ")) or max(count, 1)
     points = text.split(" " * each)
     if len(points) * each != count:
         raise TableFileError(

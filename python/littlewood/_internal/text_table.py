@@ -21,6 +21,8 @@ _OTHER_FILES = {
     b"PK": "a spreadsheet or an archive: save the sheet as CSV",
     b"\xd0\xcf\x11\xe0": "a spreadsheet: save the sheet as CSV",
     b"<?xml": "a project or a web page: export the data of its track as text",
+    b"{": "JSON: export the data of the track as CSV",
+    b"\x89HDF": "HDF5: export the data of the track as CSV",
 }
 
 
