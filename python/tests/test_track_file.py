@@ -2,6 +2,7 @@
 
 import math
 import os
+import re
 from pathlib import Path
 
 import numpy as np
@@ -83,8 +84,13 @@ def test_kinovea_exports_trajectories(units, file, said, atol, missing):
     assert_rolls(track, units, ("theta", "x", "y"), atol=atol, missing=missing)
 
 
-def test_kinovea_exports_time_codes(units):
-    track = lw.Track.from_csv(TRACKS / "kinovea-timecodes.txt", units, length_unit="cm")
+@pytest.mark.parametrize("thousandth", ["", "0"])
+def test_kinovea_exports_time_codes(tmp_path, units, thousandth):
+    # Hundredths, or thousandths of films with more than 100 frames a second.
+    text = (TRACKS / "kinovea-timecodes.txt").read_text(encoding="utf-8")
+    path = tmp_path / "codes.txt"
+    path.write_text(re.sub(r"^(0:00:00:\d\d)", rf"\g<1>{thousandth}", text, flags=re.MULTILINE))
+    track = lw.Track.from_csv(path, units, length_unit="cm")
     np.testing.assert_allclose(track.time * units.time_s, 0.04 * np.arange(12), atol=1e-12)
     np.testing.assert_allclose(track.x * RADIUS, 0.6 * 0.04 * np.arange(12), atol=1e-4)
 
@@ -340,6 +346,10 @@ REFUSED = {
         "\tmarker\t\t\nt\tx\ty\t\n0\t0\t0.57\n0.01\t0\t0.57\n",
         "line 2: has the point 'marker' alone, .*; track the centre, too; or if it is the centre: "
         'centre="marker"',
+    ),
+    "a name twice in Tracker": (
+        "#multi:\n\tA\t\tA\t\nt\tx\ty\tx\ty\n0\t1\t2\t3\t4\n",
+        "line 3: x: two columns of one quantity; remove one$",
     ),
     "a point over no column": (" a\nt\n0\n", "line 1: has 1 names of points over 0 columns"),
     "points whose names do not fit": (

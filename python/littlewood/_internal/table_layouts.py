@@ -18,7 +18,7 @@ KINOVEA, TRACKER, VERNIER, PLAIN = "Kinovea", "Tracker", "Vernier", ""
 _SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas"}
 # So many lines tell the layout.
 _FIRST_LINES = 4
-# In another order than it was seen: what a spreadsheet with a line of names is made of.
+# What becomes of pixels that other programs write.
 _OWN_TABLE = (
     "write a table with the columns frame, centre/x_px, centre/y_px, marker/x_px, marker/y_px, and "
     "leave cells empty where a point was not seen"
@@ -218,7 +218,10 @@ def _trajectories(layout: _Layout, file: str, lines: list[str]) -> TextTable:
 
 
 def _seconds(text: str) -> float:
-    """Return a time of Kinovea: a number, or hours, minutes, seconds and hundredths in seconds."""
+    """Return a time of Kinovea: a number, or hours, minutes, seconds and a part of one, in seconds.
+
+    The part is in hundredths, or in thousandths of films with more than 100 frames a second.
+    """
     parts = text.split(":")
     try:
         if len(parts) == 1:
@@ -226,8 +229,8 @@ def _seconds(text: str) -> float:
         numbers = [float(part) for part in parts]
     except ValueError:
         return float("nan")
-    hundredths = numbers.pop() / 100.0 if len(parts) == 4 else 0.0
-    return sum(60.0**k * value for k, value in enumerate(reversed(numbers))) + hundredths
+    rest = numbers.pop() / 10.0 ** len(parts[3]) if len(parts) == 4 else 0.0
+    return sum(60.0**k * value for k, value in enumerate(reversed(numbers))) + rest
 
 
 # The first that a file begins like is its layout.
@@ -249,7 +252,9 @@ _LAYOUTS = (
     _Layout(
         "phyphox",
         re.compile(
-            r'"?Time \(s\)"?[,;\t]"?((Linear )?Acceleration|Gyroscope|Magnetic field) x', re.I
+            r'"?Time \(s\)"?[,;\t]"?((Linear )?Acceleration x|Absolute acceleration|Gyroscope|'
+            r"Magnetic field)",
+            re.I,
         ),
         reason="is an export of phyphox: what a telephone felt, without a position",
         hint="film the hoop, and track it",
