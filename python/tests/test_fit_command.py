@@ -3,6 +3,7 @@
 import base64
 import builtins
 import dataclasses
+import inspect
 import math
 import os
 import re
@@ -18,9 +19,11 @@ import pytest
 
 import littlewood as lw
 from littlewood import video
+from littlewood._commands import fit as fit_command
 from littlewood._commands.fit import MissingAnswerError, WrongClockError, _check_clock, main
 from littlewood.fitting import Doubt
 from littlewood.fitting.report import report_html
+from littlewood.fitting.table_options import PYTHON
 
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
 RATE = 120.0
@@ -160,6 +163,42 @@ def refused(capsys, *arguments):
     return said.err.splitlines()[-1]
 
 
+def test_hints_on_tables_are_flags_and_lead_to_the_fit(motion, tmp_path, capsys):
+    units = motion.hoop.units
+    seconds = np.arange(0.0, 0.6, 1 / RATE)
+    seen = motion(seconds / units.time_s).in_si(units)
+    x, y, theta = (seen[name] for name in ("x_m", "centre_y_m", "theta_rad"))
+    random = np.random.default_rng(5)
+    places = [x, y, x - 0.27 * np.sin(theta), y + 0.27 * np.cos(theta)]
+    places = [1e2 * (one + random.normal(0, 0.001, seconds.size)) for one in places]
+    # As Kinovea has it, in milliseconds and centimetres, with a column of one's own.
+    table = tmp_path / "track.csv"
+    names = "Time,my note,Hub/0/X,Hub/0/Y,Spot/0/X,Spot/0/Y"
+    rows = np.column_stack([1e3 * seconds, seconds, *places])
+    np.savetxt(table, rows, delimiter=",", header=names, comments="")
+    free = ["--free", "mu_k", "--mu-s=0.5", "--inertia-kg-m2=0.021025", "--slope-deg=0"]
+    given = [table, *FLAGS, *free]
+    for said, answer in [
+        ("; --ignore 'my note' passes over it", ["--ignore", "my note"]),
+        ("; say it: --time-unit ms (120 a second)", ["--time-unit=ms"]),
+        ("--length-unit cm; or give the plane of the motion", ["--length-unit=cm"]),
+    ]:
+        assert said in refused(capsys, *given)
+        given += answer
+    assert main([str(one) for one in given]) == 0
+    value, error = estimates(capsys.readouterr().out)["mu_k"]
+    assert abs(value - 0.4) < 4.0 * error < 0.1
+
+
+def test_each_option_of_a_table_has_a_flag():
+    assert set(fit_command._FLAGS.forms) == set(PYTHON.forms)
+    options = set(inspect.signature(lw.Track.from_csv).parameters)
+    flags = fit_command._parser().format_help()
+    for name, form in PYTHON.forms.items():
+        assert name in options and form.startswith(f"{name}=")
+        assert f"{fit_command._FLAGS.forms[name].split()[0].rstrip(',')} " in flags
+
+
 def test_without_a_terminal_nothing_is_asked(film, capsys):
     slope = "--slope=0"
     assert refused(capsys, film, slope, *FLAGS).startswith(
@@ -176,8 +215,6 @@ def test_without_a_terminal_nothing_is_asked(film, capsys):
 
 
 def test_at_a_terminal_it_asks(monkeypatch, capsys):
-    from littlewood._commands import fit as fit_command
-
     class Terminal:
         def isatty(self):
             return True

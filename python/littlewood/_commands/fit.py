@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import shlex
 import sys
 import warnings
 import webbrowser
@@ -20,7 +21,8 @@ from .._internal.extras import require
 from ..fitting.least_squares import fit
 from ..fitting.problem import OF_HOOP
 from ..fitting.result import FitResult, FitWarning
-from ..fitting.track import Track
+from ..fitting.table_options import LENGTH_UNITS, TIME_UNITS, TableOptions, Words
+from ..fitting.track import Track, track_of_table
 from ..hoop import Hoop
 from ..tables import QUANTITIES, SI_HOOP
 from ..video.plane import Plane
@@ -44,6 +46,21 @@ _IN_FLIGHT = 1.03
 _LEAST_FALL = 6
 _FALL = 1.4
 _QUALITY = 88
+_FLAGS = Words(
+    {
+        "centre": "--centre {}",
+        "marker": "--marker {}",
+        "run": "--run {}",
+        "fps": "--rate {}",
+        "plane": "--point U V X Y, four times or more",
+        "length_unit": "--length-unit {}",
+        "time_unit": "--time-unit {}",
+        "dimensionless": "--dimensionless",
+        "ignore": "--ignore {}",
+    },
+    shlex.quote,
+)
+"""Options of a table as flags of this command."""
 
 
 class MissingAnswerError(ValueError):
@@ -200,13 +217,31 @@ def _parser() -> argparse.ArgumentParser:
         "--centre", metavar="NAME", help="the point that is the centre, in exports that name points"
     )
     table.add_argument(
-        "--run", metavar="N", type=int, help="number of the run, in exports with several"
+        "--run", metavar="N", help="number or name of the run or data set, in exports with several"
     )
     table.add_argument(
         "--length-unit",
         metavar="UNIT",
-        default="m",
-        help="m, cm or mm, in exports that do not say it",
+        choices=LENGTH_UNITS,
+        help=f"{', '.join(LENGTH_UNITS)}, in tables that do not say it",
+    )
+    table.add_argument(
+        "--time-unit",
+        metavar="UNIT",
+        choices=TIME_UNITS,
+        help=f"{', '.join(TIME_UNITS)}, in tables that do not say it",
+    )
+    table.add_argument(
+        "--dimensionless",
+        action="store_true",
+        help="names without units are dimensionless: in radii R, and times in √(R/g)",
+    )
+    table.add_argument(
+        "--ignore",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="a column that is passed over; may be given several times",
     )
     table.add_argument(
         "--level", action="store_true", help="on a slope: x and y are those of a level camera"
@@ -377,9 +412,7 @@ def _from_film(options: argparse.Namespace, path: Path) -> tuple[FitResult, byte
 
 def _from_table(options: argparse.Namespace, path: Path) -> FitResult:
     hoop = _hoop_of(options)
-    track = Track.from_csv(
-        path,
-        hoop.units,
+    said = TableOptions(
         level=options.level,
         centre=options.centre,
         marker=options.marker,
@@ -387,7 +420,12 @@ def _from_table(options: argparse.Namespace, path: Path) -> FitResult:
         fps=options.rate,
         plane=_plane(options),
         length_unit=options.length_unit,
+        time_unit=options.time_unit,
+        dimensionless=options.dimensionless,
+        ignore=tuple(options.ignore),
+        words=_FLAGS,
     )
+    track = track_of_table(path, hoop.units, said)
     return _fit(options, track, hoop, _has_bar())
 
 
