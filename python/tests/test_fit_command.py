@@ -176,7 +176,8 @@ def test_hints_on_tables_are_flags_and_lead_to_the_fit(motion, tmp_path, capsys)
     # As Kinovea has it, in milliseconds and centimetres, with a column of one's own.
     table = tmp_path / "track.csv"
     names = "Time,my note,Hub/0/X,Hub/0/Y,Spot/0/X,Spot/0/Y"
-    rows = np.column_stack([1e3 * seconds, seconds, *places])
+    # From the calendar on, as a computer counts.
+    rows = np.column_stack([1e3 * (1764331234.5 + seconds), seconds, *places])
     np.savetxt(table, rows, delimiter=",", header=names, comments="")
     free = ["--free", "mu_k", "--mu-s=0.5", "--inertia-kg-m2=0.021025", "--slope-deg=0"]
     given = [table, *FLAGS, *free]
@@ -188,7 +189,9 @@ def test_hints_on_tables_are_flags_and_lead_to_the_fit(motion, tmp_path, capsys)
         assert said in refused(capsys, *given)
         given += answer
     assert main([str(one) for one in given]) == 0
-    value, error = estimates(capsys.readouterr().out)["mu_k"]
+    printed = capsys.readouterr()
+    assert "note: The times of the table count from its first row, 1.7643" in printed.err
+    value, error = estimates(printed.out)["mu_k"]
     assert abs(value - 0.4) < 4.0 * error < 0.1
 
 

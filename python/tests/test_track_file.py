@@ -209,6 +209,9 @@ def test_names_without_units_are_in_si_if_the_sizes_say_so(tmp_path, units, name
         other = lw.units.Units(0.25, radius_m, math.sqrt(radius_m / 9.8), 9.8)
         with pytest.raises(TableFileError, match=message):
             lw.Track.from_csv(path, other)
+    path.write_text(own_table(names, [TIME_S, THETA, X_M / 0.6, height / 0.6]))
+    large = lw.units.Units(0.25, 0.5, math.sqrt(0.5 / 9.8), 9.8)
+    np.testing.assert_allclose(lw.Track.from_csv(path, large).y, 1.0, atol=1e-5)
     plain = [TIME_S / units.time_s, THETA, X_M / RADIUS, height / RADIUS]
     path.write_text(own_table(names, plain))
     for said in ({"units": units, "dimensionless": True}, {}):
@@ -238,6 +241,21 @@ def test_pixels_are_known_by_their_size(tmp_path, units):
         lw.Track.from_csv(path, units, level=True)
     path.write_text(own_table("time_s,x_m,y_m", [TIME_S, X_M, X_M - 2.0]))
     assert lw.Track.from_csv(path, units, level=True).time.size == 12
+
+
+def test_the_way_tells_the_unit_where_nothing_else_does(tmp_path, units):
+    path = tmp_path / "way.txt"
+    rows = "\n".join(f"{t:.6f}\t{2.0 * t:.6f}" for t in np.arange(100) / 240.0)
+    path.write_text(f"\tmass A\t\nt\tx\t\n{rows}\n")
+    track = lw.Track.from_csv(path, units)
+    assert track.x[-1] == pytest.approx(2.0 * 99 / 240 / RADIUS, rel=1e-5)
+    rows = "\n".join(f"{t:.6f}\t{200.0 * t:.6f}" for t in np.arange(100) / 240.0)
+    path.write_text(f"\tmass A\t\nt\tx\t\n{rows}\n")
+    with pytest.raises(
+        TableFileError,
+        match=r'column x: has no unit; the way of the centre is 82.5, .* length_unit="cm"; or give',
+    ):
+        lw.Track.from_csv(path, units)
 
 
 def test_times_of_the_calendar_count_from_the_first(tmp_path, units):
@@ -374,7 +392,7 @@ REFUSED = {
         "line 1: is an export of DeepLabCut: pixels, .*; write a table with the columns frame,",
     ),
     "an export of SLEAP": (
-        "track,frame_idx,instance.score,hub.x,hub.y,hub.score\n,0,0.95,100,200,0.9\n",
+        "track,frame_idx,instance.score,hub.score,hub.x,hub.y\nhoop,0,0.9,0.9,100.0,200.0\n",
         "line 1: is an export of SLEAP: pixels, .*; write a table with the columns frame,",
     ),
     "an export of phyphox": (

@@ -422,6 +422,8 @@ def _from_table(options: argparse.Namespace, path: Path) -> FitResult:
         words=_FLAGS,
     )
     track = track_of_table(path, hoop.units, said)
+    for note in track.notes:
+        print(f"note: {note}", file=sys.stderr)
     return _fit(options, track, hoop, _has_bar())
 
 

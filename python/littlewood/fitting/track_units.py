@@ -30,6 +30,8 @@ _CALENDAR = 1e8
 # Heights of a centre over its floor, radii, that no error of a camera makes: lower than a radius by
 # far, or high above. And how far from the centre no marker is.
 _LOWEST, _HIGHEST, _FARTHEST = 0.2, 30.0, 3.0
+# From here on a height may be in radii: those of a centre are at least 1.
+_RADIUS = 0.85
 # Of the heights the lowest are those in contact; fewer are frames in which the tracker failed.
 _IN_CONTACT = 0.1
 # Whole numbers over so wide a range are counted, as pixels are.
@@ -106,7 +108,7 @@ def is_in_si(numbers: Numbers, units: Units | None) -> bool:
         # How far the particle is from the centre is not known here.
         size = None
     _check_height(numbers, units.length_m)
-    if size is None or not size.fits(1.0, units.length_m) or size.fits(1.0, 1.0):
+    if size is None or not size.fits(1.0, units.length_m) or size.value > _RADIUS:
         found = "" if size is None else f": {size.what} is {size.value:g}"
         raise table.refusal(
             f"has no units{found}, the radius of the hoop {units.length_m:g} m",
