@@ -743,11 +743,11 @@ fn a_motion_with_rolling_resistance_goes_on_from_its_own_states() {
     check_continuations(2_000, resisted_in_contact);
 }
 
-/// A heavy hoop with rolling resistance, and a start.
+/// A hoop with rolling resistance, and a start.
 fn resisted_in_contact(draw: &mut Draw) -> (Hoop, Start) {
     loop {
         let (hoop, start) = draw.resisted_in_contact();
-        if matches!(hoop.body(), Body::Heavy(_)) && hoop.rolling_resistance() > 0.0 {
+        if hoop.rolling_resistance() > 0.0 {
             return (hoop, start);
         }
     }
