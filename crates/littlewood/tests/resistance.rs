@@ -3,7 +3,7 @@
 
 use littlewood::energy::EnergyLedger;
 use littlewood::{
-    Hoop, HoopParameters, Limits, Mode, Sample, SlipDirection, Start, State, Trajectory,
+    Hoop, HoopParameters, Limits, Mode, Outcome, Sample, SlipDirection, Start, State, Trajectory,
 };
 use serde_json::Value;
 
@@ -160,18 +160,39 @@ fn compare(belongs: impl Fn(&Value) -> bool) -> usize {
                 .expect("an instant of the motion");
             comparison.sample(phase.mode().name(), &ours, sample);
         }
+        let swings = half_swings(reference);
+        let summary = motion.summary();
+        assert_eq!(summary.half_swings, swings, "{}", comparison.name);
+        if let Outcome::Rests { half_swings, .. } = motion.outcome() {
+            assert_eq!(half_swings, swings as usize, "{}", comparison.name);
+        }
         let ended = motion.outcome().kind().name();
         match name(&reference["ended"]) {
             "none" => assert_eq!(ended, "inconsistent", "{}", comparison.name),
             // The library may know that a motion goes on as it does for ever.
             "time_limit" => {
-                assert!(["time_limit", "rolls_forever", "slides_forever"].contains(&ended))
+                assert!(["time_limit", "rolls_forever", "slides_forever"].contains(&ended));
             }
             theirs => assert_eq!(ended, theirs, "{}", comparison.name),
         }
         count += 1;
     }
     count
+}
+
+/// Rolls of a motion of the reference from one turning point to the next.
+fn half_swings(reference: &Value) -> u32 {
+    let transitions = list(&reference["transitions"]);
+    let starts = [&reference["start"]].into_iter().chain(transitions);
+    let swings = starts
+        .zip(list(&reference["phases"]))
+        .zip(transitions)
+        .filter(|((start, phase), end)| {
+            number(&start["theta_rate"]) == 0.0
+                && name(&phase["mode"]) == "rolling"
+                && name(&end["cause"]) == "turning"
+        });
+    u32::try_from(swings.count()).expect("a count")
 }
 
 fn is_heavy(reference: &Value) -> bool {
