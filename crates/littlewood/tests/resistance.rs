@@ -2,6 +2,7 @@
 //! equations alone, with 30 digits; and against the closed forms of docs/theory/rolling-resistance.md.
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
+use littlewood::energy::EnergyLedger;
 use littlewood::modes::Recurrence;
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Phase, Sample, SlipDirection,
@@ -90,8 +91,8 @@ impl Comparison {
         }
     }
 
-    /// The energy lost, by its causes where there is no impact.
-    fn losses(&self, ours: &Trajectory, reference: &Value) {
+    /// The energy lost, and where there is no impact what rolling resistance has taken.
+    fn energies(&self, ours: &Trajectory, reference: &Value) {
         let Some(first) = ours.phases().first() else {
             return;
         };
@@ -172,6 +173,25 @@ impl Comparison {
             }
         }
     }
+
+    /// What each kind of friction has taken up to each transition.
+    fn losses(&self, ours: &Trajectory, theirs: &[Value]) {
+        let Some(ledger) = EnergyLedger::new(ours) else {
+            return;
+        };
+        for (transition, theirs) in ours.transitions().iter().zip(theirs) {
+            // The last one may end the motion: there is no instant after it.
+            let time = transition.time().min(ours.end_time());
+            let sample = ours.at(time).expect("an instant of the motion");
+            let parts = ledger.parts(&sample).expect("an instant of the motion");
+            for (key, part) in [
+                ("resistance", parts.rolling_resistance),
+                ("sliding", parts.friction),
+            ] {
+                self.close(&format!("{time} {key}"), part, &theirs["lost"][key]);
+            }
+        }
+    }
 }
 
 /// The motions of the reference that the library follows, compared with it.
@@ -195,19 +215,43 @@ fn compare() -> usize {
             assert_eq!(mode, name(&theirs["mode"]), "{}", comparison.name);
             comparison.sample(mode, &ours, sample);
         }
-        comparison.losses(&motion, reference);
+        comparison.energies(&motion, reference);
+        if reference["law"].is_null() {
+            comparison.losses(&motion, list(&reference["transitions"]));
+            let swings = half_swings(reference);
+            let summary = motion.summary();
+            assert_eq!(summary.half_swings, swings, "{}", comparison.name);
+            if let Outcome::Rests { half_swings, .. } = motion.outcome() {
+                assert_eq!(half_swings, swings as usize, "{}", comparison.name);
+            }
+        }
         let ended = motion.outcome().kind().name();
         match name(&reference["ended"]) {
             "none" => assert_eq!(ended, "inconsistent", "{}", comparison.name),
             // The library may know that a motion goes on as it does for ever.
             "time_limit" => {
-                assert!(["time_limit", "rolls_forever", "slides_forever"].contains(&ended))
+                assert!(["time_limit", "rolls_forever", "slides_forever"].contains(&ended));
             }
             theirs => assert_eq!(ended, theirs, "{}", comparison.name),
         }
         count += 1;
     }
     count
+}
+
+/// Rolls of a motion of the reference from one turning point to the next.
+fn half_swings(reference: &Value) -> u32 {
+    let transitions = list(&reference["transitions"]);
+    let starts = [&reference["start"]].into_iter().chain(transitions);
+    let swings = starts
+        .zip(list(&reference["phases"]))
+        .zip(transitions)
+        .filter(|((start, phase), end)| {
+            number(&start["theta_rate"]) == 0.0
+                && name(&phase["mode"]) == "rolling"
+                && name(&end["cause"]) == "turning"
+        });
+    u32::try_from(swings.count()).expect("a count")
 }
 
 #[test]
