@@ -26,7 +26,11 @@ impl Bounded {
 
     /// A result that has inherited `bound`.
     fn with(value: f64, bound: f64) -> Self {
-        let last_place = (0.5 * f64::EPSILON * value.abs()).max(f64::MIN_POSITIVE);
+        let last_place = if value == 0.0 && bound == 0.0 {
+            0.0
+        } else {
+            (0.5 * f64::EPSILON * value.abs()).max(f64::MIN_POSITIVE)
+        };
         Self {
             value,
             bound: (bound + last_place) * ROUNDING_OF_BOUNDS,
@@ -69,6 +73,10 @@ impl Number for Bounded {
         let last_place = 0.5 * f64::EPSILON * value.abs();
         Self::with(value, derivative.abs() * self.bound + last_place)
     }
+
+    fn abs(self) -> Self {
+        if self.value < 0.0 { -self } else { self }
+    }
 }
 
 impl Add for Bounded {
@@ -109,7 +117,13 @@ impl Mul for Bounded {
                 bound: inherited,
             };
         }
-        Self::with(product, inherited)
+        // Underflow loses all of it.
+        let lost = if product == 0.0 {
+            f64::MIN_POSITIVE
+        } else {
+            0.0
+        };
+        Self::with(product, inherited + lost)
     }
 }
 
@@ -118,6 +132,9 @@ impl Div for Bounded {
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
         let least = other.value.abs() - other.bound;
+        if self.is_exactly_zero() && least > 0.0 {
+            return self;
+        }
         let bound = if least > 0.0 {
             (self.bound + quotient.abs() * other.bound) / least
         } else {
