@@ -28,6 +28,7 @@ mod jam;
 mod origins;
 mod proofs;
 mod reference;
+mod resistance;
 mod reverse_chatter;
 mod rooms;
 mod serde;

@@ -345,7 +345,139 @@ fn other_motions() -> Vec<Trajectory> {
             .expect("a valid start")
     })
     .chain(jams())
+    .chain(resisted())
     .collect()
+}
+
+/// With rolling resistance, in contact and with impacts, on the level and on slopes.
+fn resisted() -> impl Iterator<Item = Trajectory> {
+    let hoop = |[mass_ratio, offset, inertia]: [f64; 3], [mu_s, mu_k, chi, slope]: [f64; 4]| {
+        HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k)
+            .with_rolling_resistance(chi)
+            .with_slope(slope)
+    };
+    let unit = [1.0, 0.6, 0.5];
+    let in_contact = [
+        (
+            unit,
+            [0.4, 0.3, 0.1, 0.0],
+            Start::at(1.21625, 0.0).with_slip(0.5),
+        ),
+        (
+            unit,
+            [0.4, 0.3, 0.1, 0.0],
+            Start::at(2.0, 1.5).with_slip(-0.5),
+        ),
+        (
+            unit,
+            [0.4, 0.3, 0.3, 0.0],
+            Start::at(3.0, 0.0).with_slip(0.5),
+        ),
+        (unit, [0.05, 0.04, 0.02, 0.0], Start::at(1.0, 0.5)),
+        // To slide, and to skid, out of a turning point of rolling on a slope.
+        (
+            [0.3878, 0.2, 0.3761],
+            [0.433, 0.4081, 0.1932, 1.1773],
+            Start::at(-2.1098, 0.0).with_slip(0.3355),
+        ),
+        (
+            [0.00587, 0.8517, 0.00233],
+            [0.3173, 0.3173, 0.4128, 0.41],
+            Start::at(-2.4, -0.53),
+        ),
+        (
+            [8.7e-4, 0.8357, 4.2e-4],
+            [0.1417, 0.1125, 0.0952, 0.7564],
+            Start::at(-2.13, 0.0).with_slip(1.45),
+        ),
+        (
+            [2.88, 0.478, 1.6],
+            [0.0495, 0.0406, 0.019, -0.5248],
+            Start::at(-2.998, 0.0).with_slip(-1.164),
+        ),
+        (
+            [0.0346, 0.4249, 0.00125],
+            [1.6177, 0.5067, 0.1038, 0.7685],
+            Start::at(2.369, 0.0).with_slip(0.3994),
+        ),
+        // Nothing is consistent where the slip of a light hoop begins, or ends.
+        (
+            [7.56e-4, 0.679, 5.96e-4],
+            [0.765, 0.443, 0.2583, 0.0],
+            Start::at(1.2327, 0.0),
+        ),
+        (
+            [1.453e-3, 1.0, 7.2e-4],
+            [2.627, 1.3794, 0.4241, 0.0],
+            Start::at(-1.3367, 0.036).with_slip(0.0197),
+        ),
+    ];
+    let with_impacts = [
+        // Bounces settle into rest and into a skid, and a landing leads to each.
+        (
+            [0.873, 0.489, 0.32223],
+            [0.418, 0.234, 0.736, 0.0],
+            Start::at(1.998, 0.439).with_slip(0.53).with_gap_rate(1.77),
+            0.3,
+        ),
+        (
+            [0.898, 0.428, 0.86794],
+            [0.14, 0.14, 0.814, 0.0],
+            Start::at(-2.201, -0.274)
+                .with_slip(-0.46)
+                .with_gap_rate(0.224),
+            0.4,
+        ),
+        (
+            [1.01, 0.288, 0.6812],
+            [1.34, 1.34, 0.366, 0.0],
+            Start::at(2.977, 0.214)
+                .with_slip(0.184)
+                .with_gap_rate(1.499),
+            0.0,
+        ),
+        (
+            [0.898, 0.428, 0.86794],
+            [0.14, 0.14, 0.814, 0.0],
+            Start::at(-2.201, -0.274)
+                .with_slip(-0.46)
+                .with_gap_rate(0.224),
+            0.0,
+        ),
+        // Jams into rest and into a skid.
+        (
+            [0.0234, 0.9, 0.01023],
+            [2.179, 2.179, 0.652, 0.0],
+            Start::at(-3.026, -1.37),
+            0.0,
+        ),
+        (
+            [0.0634, 0.33, 0.01927],
+            [1.443, 1.443, 3.14, 0.0],
+            Start::at(-1.799, -1.282),
+            0.5,
+        ),
+    ];
+    let bounces = with_impacts.map(|(body, plane, start, e)| {
+        let law = if e == 0.5 {
+            RestitutionLaw::Newton
+        } else {
+            RestitutionLaw::Energetic
+        };
+        (hoop(body, plane).with_restitution(e, law), start)
+    });
+    let contacts = in_contact.map(|(body, plane, start)| (hoop(body, plane), start));
+    contacts
+        .into_iter()
+        .chain(bounces)
+        .map(|(parameters, start)| {
+            let hoop = Hoop::new(parameters).expect("a valid hoop");
+            let limits = Limits::until(40.0);
+            hoop.simulate(start, limits).expect("a valid start")
+        })
 }
 
 /// Light hoops on rough planes, at P ≤ 0 from the start and later, with and without restitution.

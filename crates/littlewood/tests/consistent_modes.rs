@@ -443,7 +443,9 @@ fn rounding(hoop: &Hoop, phase: &Phase, now: &Sample) -> State {
         PhaseSolution::Sliding(slide) => (1.0, slide.steps() as f64),
         // The particle, and what follows from it for the hoop.
         PhaseSolution::Gliding(_) => (1.0, 2.0),
-        PhaseSolution::Rolling(_) | PhaseSolution::Flight(_) => (0.0, 1.0),
+        PhaseSolution::ResistedRolling(rolling) => (0.0, rolling.steps() as f64),
+        PhaseSolution::Skidding(_) => (1.0, 1.0),
+        PhaseSolution::Rolling(_) | PhaseSolution::Flight(_) | PhaseSolution::Rest(_) => (0.0, 1.0),
     };
     let unit = steps * f64::EPSILON;
     let (h, mu) = (slips * hoop.h(), slips * hoop.mu_k());

@@ -172,6 +172,28 @@ pub(crate) fn check_phase(
             PhaseSolution::Flight(_) => {
                 prop_assert_eq!(now.state.theta_rate, first.state.theta_rate);
             }
+            PhaseSolution::ResistedRolling(rolling) => {
+                prop_assert!(now.energy <= before.energy + LAW_ROUNDING * size);
+                prop_assert_eq!(now.state.slip, 0.0);
+                prop_assert!(rolling.direction().sign() * now.state.theta_rate >= 0.0);
+                let margin = hoop.mu_s() * now.normal - now.friction.abs();
+                prop_assert!(margin >= -LAW_ROUNDING * size, "{margin} at {elapsed}");
+            }
+            PhaseSolution::Skidding(skid) => {
+                prop_assert_eq!(now.state.theta, first.state.theta);
+                prop_assert_eq!(now.state.theta_rate, 0.0);
+                prop_assert!(skid.direction().sign() * now.state.slip >= 0.0);
+            }
+            PhaseSolution::Rest(_) => {
+                let time = now.state.time;
+                prop_assert_eq!(
+                    now.state,
+                    State {
+                        time,
+                        ..first.state
+                    }
+                );
+            }
         }
         before = now;
     }

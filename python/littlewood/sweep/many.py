@@ -219,8 +219,8 @@ def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
     Returns
     -------
     ndarray of str
-        Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; … where there
-        are more than 15.
+        Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; 0 rest; S and s
+        skidding; … where there are more than 15.
     """
     names = _core.sequence_names(flat(sequence, np.uint64))
     return np.array(names, dtype=np.str_).reshape(np.shape(sequence))

@@ -166,7 +166,7 @@ export interface ColumnRow {
 export const COLUMN_ROWS = {
   time: { longName: 'time', signs: { dimensionless: 'τ', si: 't' }, units: { dimensionless: '√(R/g)', si: 's' } },
   mode: { longName: 'mode of motion', signs: { dimensionless: '', si: '' }, units: { dimensionless: '', si: '' } },
-  direction: { longName: 'sign of the slip velocity; 0 for rolling and flight', signs: { dimensionless: 'σ', si: 'σ' }, units: { dimensionless: '', si: '' } },
+  direction: { longName: 'sign of the slip velocity; 0 for rolling, rest and flight', signs: { dimensionless: 'σ', si: 'σ' }, units: { dimensionless: '', si: '' } },
   theta: { longName: 'angle of the particle from the upward vertical', signs: { dimensionless: 'θ', si: 'θ' }, units: { dimensionless: '', si: 'rad' } },
   theta_rate: { longName: 'rate of the angle', signs: { dimensionless: 'θ′', si: 'dθ/dt' }, units: { dimensionless: '√(g/R)', si: 'rad/s' } },
   slip: { longName: 'slip velocity of the contact point', signs: { dimensionless: 'η′', si: 'dη/dt' }, units: { dimensionless: '√(gR)', si: 'm/s' } },

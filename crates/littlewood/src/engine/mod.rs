@@ -188,6 +188,7 @@ impl Engine {
     /// # Errors
     /// As [`Hoop::simulate`].
     pub fn summary(&self, start: Start, limits: Limits) -> Result<Summary, ParameterError> {
+        self.hoop.check_built()?;
         self.hoop.check(start)?;
         limits.check(&start)?;
         let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);

@@ -36,6 +36,14 @@ named! {
             "e, less that of an impact that ends just before its gap rate falls",
             Dimension::Ratio
         );
+        /// μs N − |F| of rolling, and μs − |tan α| of rest, with rolling resistance.
+        StaticFriction = 9, "static_friction" => ("μs N − |F|", Dimension::Ratio);
+        /// χ − |M|/N of rest and of skidding.
+        HeldAngle = 10, "held_angle" => ("χ − |M|/N", Dimension::Ratio);
+        /// N of rolling with rolling resistance.
+        NormalForce = 11, "normal_force" => ("N of rolling", Dimension::Ratio);
+        /// The acceleration with which a velocity leaves zero in the direction of a mode.
+        Onset = 12, "onset" => ("the acceleration from rest", Dimension::Ratio);
     }
 }
 

@@ -21,7 +21,7 @@ named! {
         /// Mode of motion.
         Mode = 1, "mode" => (None, "", "mode of motion");
         /// Direction of slip.
-        Direction = 2, "direction" => (None, "σ", "sign of the slip velocity; 0 for rolling and flight");
+        Direction = 2, "direction" => (None, "σ", "sign of the slip velocity; 0 for rolling, rest and flight");
         /// Angle θ.
         Theta = 3, "theta" => (Some(Dimension::Angle), "θ", "angle of the particle from the upward vertical");
         /// Rate θ′.

@@ -14,7 +14,9 @@ use crate::model::{
 };
 use crate::modes::{Entry, Flight, GlideEntry, PhasePoint, PhaseSolution, StaticLimit, TakeOff};
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::{Arrival, Exact, NextMotion, Outcome, PhaseEnd, PhaseResult, Solver, Transition};
+use crate::walk::{
+    Arrival, Exact, NextMotion, Outcome, PhaseEnd, PhaseResult, ResistedMotion, Solver, Transition,
+};
 
 /// Estimated numbers of significant decimal digits of the state at a transition, from 0 to 15.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +79,7 @@ impl Hoop {
         start: Start,
         limits: Limits,
     ) -> Result<Vec<Option<Digits>>, ParameterError> {
+        self.check_built()?;
         let motion = self.simulate(start, limits)?;
         let is_on_limit = motion.starts_on_static_limit();
         let motion = motion.transitions;
@@ -325,7 +328,12 @@ impl PerturbedSolver<'_> {
         }
         let steps = match &solution {
             PhaseSolution::Sliding(slide) => slide.steps() as f64,
-            PhaseSolution::Rolling(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => 1.0,
+            PhaseSolution::ResistedRolling(rolling) => rolling.steps() as f64,
+            PhaseSolution::Rolling(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Flight(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => 1.0,
         };
         match &mut end {
             PhaseEnd::Rest { point: state, .. }
@@ -452,6 +460,17 @@ impl Solver for PerturbedSolver<'_> {
     fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         // The entry of a glide is tied to its state, so the start is not perturbed.
         self.perturbed(state, self.exact.glide(state, body, entry))
+    }
+
+    fn resisted(
+        &self,
+        state: &State,
+        body: &Heavy,
+        motion: ResistedMotion,
+        half_swings: usize,
+    ) -> PhaseResult<Self> {
+        // The motion is tied to the velocities that are zero, so the start is not perturbed.
+        self.perturbed(state, self.exact.resisted(state, body, motion, half_swings))
     }
 }
 

@@ -1,6 +1,5 @@
 //! Where the energy of the start has gone.
 
-use crate::model::{Hoop, Mode};
 use crate::modes::Sample;
 use crate::motion::trajectory::Trajectory;
 
@@ -24,8 +23,8 @@ pub struct EnergyParts {
 
 /// The losses of a motion up to each of its phases.
 #[derive(Clone, Debug)]
-pub struct EnergyLedger {
-    hoop: Hoop,
+pub struct EnergyLedger<'a> {
+    trajectory: &'a Trajectory,
     start: f64,
     phases: Vec<Entry>,
 }
@@ -46,20 +45,16 @@ struct Losses {
 }
 
 impl Losses {
-    /// Adds what a phase in this mode has lost.
-    const fn add(&mut self, mode: Mode, lost: f64) {
-        match mode {
-            Mode::Rolling => self.rolling_resistance += lost,
-            Mode::Sliding | Mode::Skidding => self.friction += lost,
-            Mode::Gliding | Mode::Flight | Mode::Rest => {}
-        }
+    /// Adds what a phase has lost, with the part that rolling resistance took.
+    const fn add(&mut self, lost: f64, rolling_resistance: f64) {
+        self.friction += (lost - rolling_resistance).max(0.0);
+        self.rolling_resistance += rolling_resistance;
     }
 }
 
-impl EnergyLedger {
+impl<'a> EnergyLedger<'a> {
     /// None for a motion that does not begin.
-    pub fn new(trajectory: &Trajectory) -> Option<Self> {
-        let hoop = *trajectory.hoop();
+    pub fn new(trajectory: &'a Trajectory) -> Option<Self> {
         let mut lost = Losses::default();
         // A jam at the start ends no phase.
         if let Some(first) = trajectory
@@ -77,14 +72,14 @@ impl EnergyLedger {
                 energy: phase.first().energy,
                 lost,
             });
-            lost.add(phase.mode(), phase.energy_lost());
+            lost.add(phase.energy_lost(), phase.rolling_resistance_energy_lost());
             let impact = trajectory
                 .end_of(phase)
                 .and_then(|transition| transition.impact);
             lost.impacts += impact.map_or(0.0, |impact| impact.energy_lost());
         }
         Some(Self {
-            hoop,
+            trajectory,
             start,
             phases,
         })
@@ -92,14 +87,19 @@ impl EnergyLedger {
 
     /// The parts at an instant: at a transition of the phase after it.
     pub fn parts(&self, sample: &Sample) -> Option<EnergyParts> {
+        let hoop = self.trajectory.hoop();
         let time = sample.state.time;
         let after = self.phases.partition_point(|entry| entry.time <= time);
         let place = after.max(1) - 1;
-        let entry = self.phases.get(place)?;
-        let potential = sample.potential_energy(&self.hoop);
+        let (entry, phase) = (
+            self.phases.get(place)?,
+            self.trajectory.phases().get(place)?,
+        );
+        let potential = sample.potential_energy(hoop);
         let mut lost = entry.lost;
-        if sample.mode != Mode::Rolling || self.hoop.rolling_resistance() > 0.0 {
-            lost.add(sample.mode, (entry.energy - sample.energy).max(0.0));
+        if phase.loses_energy() {
+            let in_phase = (entry.energy - sample.energy).max(0.0);
+            lost.add(in_phase, phase.share_of_resistance(time, in_phase));
         }
         let Losses {
             friction,
@@ -109,7 +109,7 @@ impl EnergyLedger {
         // A part is a sum of energies, and so is each of what it is the difference of; what is lost
         // adds one for each phase and each impact before.
         let size = self.start.abs()
-            + self.hoop.offset()
+            + hoop.offset()
             + potential.abs()
             + friction
             + rolling_resistance
@@ -140,7 +140,7 @@ impl EnergyLedger {
     /// The scale of energies on which the parts of these samples have room one upon the other:
     /// from the least potential energy, up to that of the start and what a law of impact has
     /// gained. An energy stands on it at the same place as a part that ends there.
-    pub fn scale<'a>(&self, samples: impl IntoIterator<Item = &'a Sample>) -> [f64; 2] {
+    pub fn scale<'s>(&self, samples: impl IntoIterator<Item = &'s Sample>) -> [f64; 2] {
         samples
             .into_iter()
             .filter_map(|sample| self.parts(sample))

@@ -42,6 +42,8 @@ struct Cursor<P> {
     /// Whether the motion slides without kinetic friction, on an orbit that does not leave the
     /// plane. Rounding of later states must not decide otherwise.
     stays_in_contact: bool,
+    /// Number of half swings with rolling resistance so far.
+    half_swings: usize,
 }
 
 impl<P> Cursor<P> {
@@ -60,6 +62,7 @@ impl<P> Cursor<P> {
             last_slip,
             slip_out_of_rolling: None,
             stays_in_contact: false,
+            half_swings: 0,
         }
     }
 
@@ -74,6 +77,7 @@ impl<P> Cursor<P> {
             last_slip: None,
             slip_out_of_rolling,
             stays_in_contact: false,
+            half_swings: 0,
         }
     }
 
@@ -431,6 +435,10 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
         ),
         NextMotion::Fly { body, take_off } => (Mode::Flight, solver.fly(point, body, *take_off)),
         NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(point, body, *entry)),
+        NextMotion::Resisted { body, motion } => (
+            motion.mode(),
+            solver.resisted(point, body, *motion, cursor.half_swings),
+        ),
         NextMotion::Settle { body, settling } => {
             (Mode::Flight, solver.settle(point, body, settling))
         }
@@ -445,6 +453,11 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
             };
             let rebound = jam(solver, cursor, None, state);
             return rebound_or_end(log.recorder, rebound, end);
+        }
+        NextMotion::Undecided(undecided) => {
+            log.flush(None);
+            let undecided = *undecided;
+            return Err(Outcome::Unresolved { state, undecided }.into());
         }
         NextMotion::Several(candidates) => {
             log.flush(None);
@@ -517,11 +530,14 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             point,
             cause,
             arrival,
-        } => Ok(after_event(
-            solver,
-            cursor,
-            ended(Some(cause), point, arrival),
-        )),
+        } => {
+            let turns_back = cause == Cause::TurningPoint && mode == Mode::Rolling;
+            if turns_back && phase.start.theta_rate == 0.0 {
+                cursor.half_swings += 1;
+            }
+            let ended = ended(Some(cause), point, arrival);
+            Ok(after_event(solver, cursor, ended))
+        }
         PhaseEnd::Settled { state, settling } => {
             Ok(after_settling(solver, cursor, state, &settling))
         }

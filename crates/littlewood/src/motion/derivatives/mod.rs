@@ -224,6 +224,10 @@ impl Trajectory {
     }
 
     fn check_quantity(&self, quantity: Quantity) -> Result<(), NotDifferentiable> {
+        if self.hoop.rolling_resistance() > 0.0 {
+            let quantity = Quantity::RollingResistance;
+            return Err(NotDifferentiable { quantity });
+        }
         let bounces = self.hoop.restitution().is_some();
         if differentiable(bounces).any(|known| known == quantity) {
             Ok(())
