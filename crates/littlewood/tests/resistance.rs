@@ -1,6 +1,7 @@
 //! Rolling resistance, against `evidence/reference/resistance.json`: motions by Newton's and Euler's
 //! equations alone, with 30 digits.
 
+use littlewood::energy::EnergyLedger;
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Sample, SlipDirection, Start, State, Trajectory,
     Transition,
@@ -124,6 +125,25 @@ impl Comparison {
             }
         }
     }
+
+    /// What each kind of friction has taken up to each transition.
+    fn losses(&self, ours: &Trajectory, theirs: &[Value]) {
+        let Some(ledger) = EnergyLedger::new(ours) else {
+            return;
+        };
+        for (transition, theirs) in ours.transitions().iter().zip(theirs) {
+            // The last one may end the motion: there is no instant after it.
+            let time = transition.time().min(ours.end_time());
+            let sample = ours.at(time).expect("an instant of the motion");
+            let parts = ledger.parts(&sample).expect("an instant of the motion");
+            for (key, part) in [
+                ("resistance", parts.rolling_resistance),
+                ("sliding", parts.friction),
+            ] {
+                self.close(&format!("{time} {key}"), part, &theirs["lost"][key]);
+            }
+        }
+    }
 }
 
 /// The motions of the reference that the library follows, compared with it.
@@ -142,6 +162,7 @@ fn compare(belongs: impl Fn(&Value) -> bool) -> usize {
         let limits = Limits::until(number(&reference["until"]));
         let motion = hoop.simulate(start, limits).expect("a valid start");
         comparison.transitions(&motion, list(&reference["transitions"]));
+        comparison.losses(&motion, list(&reference["transitions"]));
         for theirs in list(&reference["phases"]) {
             let sample = &theirs["sample"];
             let time = number(&sample["time"]);
