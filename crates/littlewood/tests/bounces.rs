@@ -257,13 +257,22 @@ fn throw() -> impl Strategy<Value = f64> {
     prop_oneof![2 => Just(0.0), 2 => 0.0..3.0_f64, 1 => (-12.0..0.0_f64).prop_map(|exponent| libm::pow(10.0, exponent))]
 }
 
+/// No rolling resistance, a little, and much.
+fn resistance() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => Just(0.0), 2 => 0.0..1.0_f64, 1 => (-9.0..1.0_f64).prop_map(libm::exp10)]
+}
+
 fn bouncing_motion() -> impl Strategy<Value = (Hoop, Start)> {
-    (heavy_motion(), restitution(), throw()).prop_map(|((hoop, start), restitution, gap_rate)| {
-        (
-            hoop.with_restitution(restitution).expect("heavy"),
-            start.with_gap_rate(gap_rate),
-        )
-    })
+    (heavy_motion(), restitution(), throw(), resistance()).prop_map(
+        |((hoop, start), restitution, gap_rate, chi)| {
+            let parameters = hoop.parameters().with_rolling_resistance(chi);
+            let hoop = Hoop::new(parameters).expect("a valid hoop");
+            (
+                hoop.with_restitution(restitution).expect("heavy"),
+                start.with_gap_rate(gap_rate),
+            )
+        },
+    )
 }
 
 fn follow(hoop: &Hoop, start: Start) -> Trajectory {

@@ -511,7 +511,11 @@ fn an_impact_is_the_same_in_all_units_of_velocity() {
     for case in 0..20_000 {
         let mut draw = Draw::of_case(51, 2, case);
         let (hoop, start) = draw.heavy_motion();
-        let hoop = resisted(&hoop, resistance(&mut draw));
+        let hoop = if draw.comes(0.6) {
+            draw.resisted(&hoop)
+        } else {
+            hoop
+        };
         let mut velocity = |powers| {
             let size = draw.of_any_size(powers);
             if draw.comes(0.5) { -size } else { size }
@@ -577,15 +581,6 @@ fn moderate(draw: &mut Draw) -> (HoopParameters, f64) {
 /// The same hoop with rolling resistance.
 fn resisted(hoop: &Hoop, chi: f64) -> Hoop {
     Hoop::new(hoop.parameters().with_rolling_resistance(chi)).expect("a valid hoop")
-}
-
-/// No rolling resistance, or one of any size.
-fn resistance(draw: &mut Draw) -> f64 {
-    match draw.below(4) {
-        0 => 0.0,
-        1 => draw.of_any_size([-300.0, 6.0]),
-        _ => draw.of_any_size([-3.0, 1.0]),
-    }
 }
 
 fn rough(hoop: HoopParameters, mu_s: f64, mu_k: f64) -> Hoop {
@@ -1026,7 +1021,11 @@ fn impacts_of_all_sizes_keep_their_laws() {
     for number in 0..200_000 {
         let mut draw = Draw::of_case(51, 6, number);
         let (hoop, start) = draw.heavy_motion();
-        let hoop = resisted(&hoop, resistance(&mut draw));
+        let hoop = if draw.comes(0.6) {
+            draw.resisted(&hoop)
+        } else {
+            hoop
+        };
         let mut velocity = || {
             let size = draw.of_any_size([-323.3, 6.0]).clamp(5e-324, 1e6);
             if draw.comes(0.5) { -size } else { size }
