@@ -20,8 +20,8 @@ use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::mechanics::resisted_impact::{ContactParts, ResistedContact};
 use crate::model::{
-    Body, Friction, Heavy, Hoop, Margin, Restitution, RestitutionLaw, SlipDirection, State,
-    Undecided, getters, named,
+    Body, Friction, Heavy, Hoop, Margin, Restitution, RestitutionLaw, RotationDirection,
+    SlipDirection, State, Undecided, getters, named,
 };
 
 /// The impulse of the plane on the body, in m2 √(gR).
@@ -73,7 +73,8 @@ named! {
         /// Slip reverses in restitution.
         ReversesInRestitution = 5, "reverses_in_restitution" => "reverses in restitution";
         /// P ≤ 0 (Painlevé): during slip the normal impulse closes the gap, which opens only after
-        /// slip has ended.
+        /// slip has ended; with rolling resistance also without slip, where D_χ ≤ 0, and until the
+        /// rotation has ended.
         Jams = 6, "jams" => "jams";
     }
 }
@@ -448,9 +449,16 @@ impl Contact {
         Self::of(body, hoop.friction(), theta.angle())
     }
 
-    /// The slopes of an impact that begins with slip in this direction; `None` where the slip does
-    /// not end in a stick.
-    pub(crate) fn sticking(&self, direction: SlipDirection) -> Option<Sticking> {
+    /// The slopes of an impact that begins with slip in this direction, of a hoop that turns on in
+    /// another; `None` where the slip does not end in a stick.
+    pub(crate) fn sticking(
+        &self,
+        direction: SlipDirection,
+        rotation: RotationDirection,
+    ) -> Option<Sticking> {
+        if let Some(resisted) = &self.resisted {
+            return resisted.sticking(direction, rotation);
+        }
         let slipping = self.slope(direction);
         let braking = -direction.sign() * slipping.slip;
         (braking > 0.0 && self.after_slip == AfterSlip::Sticks).then_some(Sticking {

@@ -16,7 +16,7 @@
 
 use crate::math::bounded::Bounded;
 use crate::math::number::Number;
-use crate::mechanics::impact::{ContactVelocities, Impact, ImpactCase, Impulse, Slope};
+use crate::mechanics::impact::{ContactVelocities, Impact, ImpactCase, Impulse, Slope, Sticking};
 use crate::model::{
     Friction, Margin, Restitution, RestitutionLaw, RotationDirection, SlipDirection, Undecided,
 };
@@ -151,6 +151,25 @@ pub(super) struct ContactParts<T> {
     pub(super) height: T,
     pub(super) friction: Friction<T>,
     pub(super) reach: f64,
+}
+
+impl ResistedContact {
+    /// [`Contact::sticking`](crate::mechanics::Contact::sticking).
+    pub(super) fn sticking(
+        &self,
+        direction: SlipDirection,
+        rotation: RotationDirection,
+    ) -> Option<Sticking> {
+        let slides = self.slides(direction, rotation).slope;
+        let then = self.without_slip(rotation, &mut |_, _| ());
+        let braking = -direction.sign() * slides.slip;
+        let opens = then.slope.gap_rate > 0.0;
+        (braking > 0.0 && then.slip.is_none() && opens).then_some(Sticking {
+            in_slip: slides.gap_rate,
+            in_stick: then.slope.gap_rate,
+            braking,
+        })
+    }
 }
 
 impl<T: Number> ResistedContact<T> {
