@@ -158,8 +158,13 @@ impl Phase {
             PhaseSolution::Sliding(slide) if self.hoop.mu_k() > 0.0 => self
                 .origin
                 .force(chi * slide.pressed_turn(self.elapsed(time))),
-            PhaseSolution::Sliding(_) | PhaseSolution::Rolling(_) => lost,
-            PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => 0.0,
+            PhaseSolution::Sliding(_)
+            | PhaseSolution::Rolling(_)
+            | PhaseSolution::ResistedRolling(_) => lost,
+            PhaseSolution::Gliding(_)
+            | PhaseSolution::Flight(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => 0.0,
         }
     }
 
