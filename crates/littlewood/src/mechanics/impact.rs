@@ -18,7 +18,7 @@ use thiserror::Error;
 
 use crate::math::number::Number;
 use crate::math::trig::Angle;
-use crate::mechanics::resisted_impact::{ContactParts, ResistedContact};
+use crate::mechanics::resisted_impact::ResistedContact;
 use crate::model::{
     Body, Friction, Heavy, Hoop, Margin, Restitution, RestitutionLaw, RotationDirection,
     SlipDirection, State, Undecided, getters, named,
@@ -471,12 +471,9 @@ impl Contact {
 
 impl<T: Number> Contact<T> {
     /// The contact of a body at an angle.
-    pub(crate) fn of(body: &Heavy<T>, friction: Friction<T>, Angle { sin, cos }: Angle<T>) -> Self {
-        let Friction {
-            mu_s,
-            mu_k,
-            rolling_resistance,
-        } = friction;
+    pub(crate) fn of(body: &Heavy<T>, friction: Friction<T>, angle: Angle<T>) -> Self {
+        let Angle { sin, cos } = angle;
+        let Friction { mu_s, mu_k, .. } = friction;
         let (mass, h_sin, height) = (body.mass, body.h * sin, body.h * cos + 1.0);
         let slope = |friction: T, spin: T| Slope {
             friction,
@@ -527,16 +524,7 @@ impl<T: Number> Contact<T> {
             slope_rounding: sizes.rounding_of_slope(mu_k),
             at_rest,
             after_slip,
-            resisted: (rolling_resistance.value() > 0.0).then(|| {
-                ResistedContact::of(ContactParts {
-                    mass,
-                    inertia: body.inertia,
-                    arm: h_sin,
-                    height,
-                    friction,
-                    reach: sizes.reach,
-                })
-            }),
+            resisted: ResistedContact::new(body, friction, angle),
         }
     }
 
