@@ -349,19 +349,18 @@ fn other_motions() -> Vec<Trajectory> {
     .collect()
 }
 
-/// With rolling resistance, on the level and on slopes.
+/// With rolling resistance, in contact and with impacts, on the level and on slopes.
 fn resisted() -> impl Iterator<Item = Trajectory> {
     let hoop = |[mass_ratio, offset, inertia]: [f64; 3], [mu_s, mu_k, chi, slope]: [f64; 4]| {
-        let parameters = HoopParameters::thin(mass_ratio)
+        HoopParameters::thin(mass_ratio)
             .with_offset(offset)
             .with_inertia(inertia)
             .with_friction(mu_s, mu_k)
             .with_rolling_resistance(chi)
-            .with_slope(slope);
-        Hoop::new(parameters).expect("a valid hoop")
+            .with_slope(slope)
     };
     let unit = [1.0, 0.6, 0.5];
-    [
+    let in_contact = [
         (
             unit,
             [0.4, 0.3, 0.1, 0.0],
@@ -372,13 +371,13 @@ fn resisted() -> impl Iterator<Item = Trajectory> {
             [0.4, 0.3, 0.1, 0.0],
             Start::at(2.0, 1.5).with_slip(-0.5),
         ),
-        (unit, [0.05, 0.04, 0.02, 0.0], Start::at(1.0, 0.5)),
         (
             unit,
             [0.4, 0.3, 0.3, 0.0],
             Start::at(3.0, 0.0).with_slip(0.5),
         ),
-        // One to slide out of its turning point, and one to skid, on slopes.
+        (unit, [0.05, 0.04, 0.02, 0.0], Start::at(1.0, 0.5)),
+        // To slide, and to skid, out of a turning point of rolling on a slope.
         (
             [0.3878, 0.2, 0.3761],
             [0.433, 0.4081, 0.1932, 1.1773],
@@ -415,13 +414,70 @@ fn resisted() -> impl Iterator<Item = Trajectory> {
             [2.627, 1.3794, 0.4241, 0.0],
             Start::at(-1.3367, 0.036).with_slip(0.0197),
         ),
-    ]
-    .into_iter()
-    .map(move |(body, plane, start)| {
-        hoop(body, plane)
-            .simulate(start, Limits::until(40.0))
-            .expect("a valid start")
-    })
+    ];
+    let with_impacts = [
+        // Bounces settle into rest and into a skid, and a landing leads to each.
+        (
+            [0.873, 0.489, 0.32223],
+            [0.418, 0.234, 0.736, 0.0],
+            Start::at(1.998, 0.439).with_slip(0.53).with_gap_rate(1.77),
+            0.3,
+        ),
+        (
+            [0.898, 0.428, 0.86794],
+            [0.14, 0.14, 0.814, 0.0],
+            Start::at(-2.201, -0.274)
+                .with_slip(-0.46)
+                .with_gap_rate(0.224),
+            0.4,
+        ),
+        (
+            [1.01, 0.288, 0.6812],
+            [1.34, 1.34, 0.366, 0.0],
+            Start::at(2.977, 0.214)
+                .with_slip(0.184)
+                .with_gap_rate(1.499),
+            0.0,
+        ),
+        (
+            [0.898, 0.428, 0.86794],
+            [0.14, 0.14, 0.814, 0.0],
+            Start::at(-2.201, -0.274)
+                .with_slip(-0.46)
+                .with_gap_rate(0.224),
+            0.0,
+        ),
+        // Jams into rest and into a skid.
+        (
+            [0.0234, 0.9, 0.01023],
+            [2.179, 2.179, 0.652, 0.0],
+            Start::at(-3.026, -1.37),
+            0.0,
+        ),
+        (
+            [0.0634, 0.33, 0.01927],
+            [1.443, 1.443, 3.14, 0.0],
+            Start::at(-1.799, -1.282),
+            0.5,
+        ),
+    ];
+    let bounces = with_impacts.map(|(body, plane, start, e)| {
+        let law = if e == 0.5 {
+            RestitutionLaw::Newton
+        } else {
+            RestitutionLaw::Energetic
+        };
+        (hoop(body, plane).with_restitution(e, law), start)
+    });
+    let contacts = in_contact.map(|(body, plane, start)| (hoop(body, plane), start));
+    contacts
+        .into_iter()
+        .chain(bounces)
+        .map(|(parameters, start)| {
+            let hoop = Hoop::new(parameters).expect("a valid hoop");
+            let limits = Limits::until(40.0);
+            hoop.simulate(start, limits).expect("a valid start")
+        })
 }
 
 /// Light hoops on rough planes, at P ≤ 0 from the start and later, with and without restitution.

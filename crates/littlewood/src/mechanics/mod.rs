@@ -9,6 +9,8 @@ pub(crate) mod impact;
 pub(crate) mod lift_off;
 pub(crate) mod region;
 pub(crate) mod resisted;
+mod resisted_impact;
+mod resisted_settling;
 pub(crate) mod reverse_chatter;
 pub(crate) mod settling;
 pub(crate) mod solvability;

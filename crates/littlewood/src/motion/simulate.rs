@@ -84,7 +84,7 @@ impl Hoop {
     }
 
     pub(crate) fn check(&self, start: Start) -> Result<State, ParameterError> {
-        if matches!(self.body(), Body::Massless(_)) || self.restitution().is_some() {
+        if matches!(self.body(), Body::Massless(_)) {
             self.check_built()?;
         }
         let state = start.check()?;

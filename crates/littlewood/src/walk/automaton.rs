@@ -118,6 +118,12 @@ pub const EDGES: &[Edge] = {
         Heavy: None, Jam, Some(Flight) => "P <= 0", "theta', eta' = 0, gap' by the impact", "Painleve";
         Heavy: Some(Sliding), Jam, Some(Flight) => "P = 0, N > 0", "theta', eta' = 0, gap' by the impact", "Painleve";
         Heavy: Some(Sliding), Singularity, None => "P = 0, N > 0, no e", "none", "Painleve";
+        Heavy: Some(Flight), Landing, Some(Rest) => "gap = 0, falling, e = 0, chi > 0", "theta' = eta' = 0 by the impact", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Flight), Landing, Some(Skidding) => "gap = 0, falling, e = 0, chi > 0", "theta' = 0, eta' by the impact", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Flight), Settle, Some(Rest) => "bounces accumulate, chi > 0", "theta' = eta' = 0 by the sum of the impacts", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Flight), Settle, Some(Skidding) => "bounces accumulate, chi > 0", "theta' = 0, eta' by the sum of the impacts", "docs/theory/rolling-resistance.md";
+        Heavy: None, Jam, Some(Rest) => "P <= 0 or D_chi < 0, e = 0", "theta' = eta' = 0 by the impact", "docs/theory/rolling-resistance.md";
+        Heavy: None, Jam, Some(Skidding) => "P <= 0 or D_chi < 0, e = 0", "theta' = 0, eta' by the impact", "docs/theory/rolling-resistance.md";
         Heavy: Some(Rolling), TurningPoint, Some(Rest) => "theta' = 0 and |h sin(theta) + (1 + h cos(theta)) tan(alpha)| <= chi", "theta' = 0", "docs/theory/rolling-resistance.md";
         Heavy: Some(Rolling), TurningPoint, Some(Rolling) => "theta' = 0 outside the band of rest", "theta' = 0", "docs/theory/rolling-resistance.md";
         Heavy: Some(Rolling), TurningPoint, Some(Sliding) => "theta' = 0 and |F_roll| > mu_s N_roll", "theta' = 0", "docs/theory/rolling-resistance.md";

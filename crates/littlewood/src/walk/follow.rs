@@ -703,7 +703,7 @@ fn land<T: Solver>(
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
     let contact = Contact::new(hoop, &body, state.theta);
     let impact = contact.impact(before, restitution);
-    if let Some(undecided) = contact.undecided(&impact) {
+    if let Some(undecided) = contact.undecided(&impact, restitution) {
         return Rebound::Unresolved { event, undecided };
     }
     after_impact(solver, cursor, &body, event, impact)
@@ -716,10 +716,12 @@ fn jam<T: Solver>(
     from: Option<Mode>,
     state: State,
 ) -> Rebound {
-    let Body::Heavy(body) = solver.hoop().body() else {
+    let hoop = solver.hoop();
+    let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else {
         return Rebound::None;
     };
-    let Some(impact) = solver.hoop().jam(&state) else {
+    let contact = Contact::new(hoop, &body, state.theta);
+    let Some(impact) = contact.jam(ContactVelocities::of(&state, 0.0), restitution) else {
         return Rebound::None;
     };
     let event = Event {
@@ -728,6 +730,9 @@ fn jam<T: Solver>(
         to: None,
         cause: Cause::Jam,
     };
+    if let Some(undecided) = contact.undecided_jam(&impact, restitution) {
+        return Rebound::Unresolved { event, undecided };
+    }
     after_impact(solver, cursor, &body, event, impact)
 }
 

@@ -293,7 +293,13 @@ impl<'a> Trial<'a> {
             body: self.body,
             friction,
         };
-        let couple = self.couple_margin(law.arm_of_rest(self.angle));
+        let couple = if self.hoop.slope() == 0.0 && self.hoop.rolling_resistance() >= self.hoop.h()
+        {
+            // On a level plane the hoop then rests anywhere.
+            Verdict::Holds
+        } else {
+            self.couple_margin(law.arm_of_rest(self.angle))
+        };
         let friction = mu_s - self.body.tilt.abs();
         Tried {
             motion: ResistedMotion::Rest,

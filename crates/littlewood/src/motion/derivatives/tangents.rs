@@ -382,7 +382,7 @@ impl<'a> Tangents<'a> {
         EventJump {
             before,
             after,
-            work: impact.normal_work + impact.friction_work,
+            work: -impact.lost(),
         }
     }
 
