@@ -4,6 +4,7 @@
 
 use littlewood::energy::EnergyLedger;
 use littlewood::modes::Recurrence;
+use littlewood::theory::PhasePlane;
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Phase, Sample, SlipDirection,
     Start, State, Trajectory, Transition,
@@ -216,6 +217,24 @@ fn compare(belongs: impl Fn(&Value) -> bool) -> usize {
             let mode = ours.mode.name();
             assert_eq!(mode, name(&theirs["mode"]), "{}", comparison.name);
             comparison.sample(mode, &ours, sample);
+            if ours.mode == Mode::Rolling {
+                let State {
+                    theta, theta_rate, ..
+                } = ours.state;
+                let plane = PhasePlane::new(&hoop);
+                let forces = plane.forces(theta, theta_rate);
+                comparison.close("normal in the plane", forces.normal, &sample["normal"]);
+                comparison.close(
+                    "friction in the plane",
+                    forces.friction,
+                    &sample["friction"],
+                );
+                assert!(
+                    plane.in_rolling_region(theta, theta_rate),
+                    "{}",
+                    comparison.name
+                );
+            }
         }
         comparison.losses(&motion, reference);
         if reference["law"].is_null() {

@@ -57,6 +57,9 @@ impl PhasePlane {
     /// # Ok::<(), littlewood::ParameterError>(())
     /// ```
     pub fn reverse_chatter(&self, theta: f64, theta_rate: f64) -> Option<f64> {
+        if !self.is_even() {
+            return None;
+        }
         let (body, restitution) = self.bouncing()?;
         let rate = theta_rate / self.pace;
         let (sin, cos) = libm::sincos(theta);
@@ -79,6 +82,9 @@ impl PhasePlane {
 
     /// |θ′| between which bounces grow out of rolling at an angle.
     pub fn reverse_chatter_rates(&self, theta: f64) -> Option<[f64; 2]> {
+        if !self.is_even() {
+            return None;
+        }
         let (body, restitution) = self.bouncing()?;
         let (sin, cos) = libm::sincos(theta);
         let pull = body.pull();
