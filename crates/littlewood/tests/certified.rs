@@ -22,14 +22,13 @@ use serde_json::Value;
 fn bound(family: &str) -> f64 {
     match family {
         "massless" => 4.0,
-        // Set as the others once the library has rolling resistance.
-        "rests-rolling" | "rests-sliding" | "rests-landing" | "ramp-rests" => 512.0,
         "ramp-rolling" | "thrown" => 8.0,
         "ramp-sliding" => 16.0,
         "jam" | "leaves-at-once" | "settles-sticking" => 32.0,
         "elastic" | "reversal-chain" | "settles-sliding" => 64.0,
         "elastic-settling" | "lift-off" | "ramp-jump" => 128.0,
-        "engines" | "si" | "slide-roll-slip" => 512.0,
+        "engines" | "si" | "slide-roll-slip" | "rests-rolling" | "rests-sliding"
+        | "rests-landing" | "ramp-rests" => 512.0,
         "long-rolling" => 4096.0,
         "paper" => 8192.0,
         "landing" => 65_536.0,

@@ -1853,15 +1853,7 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
         free, found = first_zero(step.guards)
         run.free.append(free)
         if found is not None and _before(step.moment(found[1])[0], limit):
-            run.guard, s = found
-            run.end = phase.state(*step.moment(s))
-            if run.guard == SLIP:
-                run.end = replace(run.end, slip=Range(0))
-            if run.guard == TURNING:
-                run.end = replace(run.end, rate=Range(0))
-            if run.guard == GAP and isinstance(step, FlightStep):
-                rate = step.landing_rate(s) if step.order == 1 else run.end.gap_rate
-                run.end = replace(run.end, gap=Range(0), gap_rate=rate)
+            run.guard, run.end = found[0], _ended(phase, step, *found)
             return run
         tau, theta, rate = step.moment(Range(1 << Range.bits))
         repeats = phase.mode == ROLLING and not given.resists
@@ -1882,6 +1874,19 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
             run.guard, run.end = TIME, run.at(given.until)
             return run
     raise TooLong(f"a phase of {phase.mode} takes more than {most_steps} steps")
+
+
+def _ended(phase: Phase, step: AnyStep, guard: str, s: Range) -> State:
+    """Return the state where a guard vanishes: what vanishes with it is 0."""
+    end = phase.state(*step.moment(s))
+    if guard == SLIP:
+        return replace(end, slip=Range(0))
+    if guard == TURNING:
+        return replace(end, rate=Range(0))
+    if guard == GAP and isinstance(step, FlightStep):
+        rate = step.landing_rate(s) if step.order == 1 else end.gap_rate
+        return replace(end, gap=Range(0), gap_rate=rate)
+    return end
 
 
 def _before(tau: Range, limit: Range | None) -> bool:

@@ -108,9 +108,9 @@ def simulate_many(
         Of the common shape, with `outcome`, `sequence`, `transitions`, `painleve`, `end_time`,
         `end_theta`, `end_theta_rate`, `end_slip`, `end_x`, `energy`, `first_slip_time`,
         `lift_off_time`, `jump_length` and `jump_height` of the first flight, `landings`,
-        `impact_energy_lost` and `settle_time`, with their units and long names, and the
-        derivatives. Events that do not happen are NaN. Dimensions are those of the DataArrays; of
-        arrays `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of
+        `impact_energy_lost`, `settle_time` and `half_swings`, with their units and long names, and
+        the derivatives. Events that do not happen are NaN. Dimensions are those of the DataArrays;
+        of arrays `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of
         restitution, if there is one.
 
     Raises

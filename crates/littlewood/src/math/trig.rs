@@ -55,11 +55,12 @@ const TURN: [f64; 3] = [
 
 /// An angle up to 1e9 modulo 2π, in [−π, π].
 pub(crate) fn without_turns(theta: f64) -> f64 {
-    let turns = (theta / TAU).round_ties_even();
+    let turns = theta / TAU;
     // Preserves the sign of −0.
-    if turns == 0.0 {
+    if turns.abs() <= 0.5 {
         theta
     } else {
+        let turns = turns.round_ties_even();
         TURN.iter().fold(theta, |rest, part| rest - turns * part)
     }
 }
@@ -76,6 +77,17 @@ impl WholeTurns {
     pub(crate) const fn add_to(self, theta: f64) -> f64 {
         self.turns + (self.rest + theta)
     }
+}
+
+/// An angle and a number of whole turns.
+pub(crate) fn with_turns(theta: f64, turns: f64) -> f64 {
+    turns * TAU + (turns * TURN[2] + theta)
+}
+
+/// An angle of up to two turns, less a turn in its direction.
+pub(crate) fn less_a_turn(theta: f64) -> f64 {
+    let direction = theta.signum();
+    (theta - direction * TAU) - direction * TURN[2]
 }
 
 /// An angle up to 1e9 modulo 2π, in [−π, π], and the whole turns of the rest. The turns are a sum

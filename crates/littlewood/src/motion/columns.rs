@@ -177,6 +177,8 @@ named! {
         ImpactEnergyLost = 15, "impact_energy_lost" => (ColumnType::Real, Dimension::Energy, "energy lost in impacts");
         /// [`Summary::settle_time`].
         SettleTime = 16, "settle_time" => (ColumnType::Real, Dimension::Time, "time from which on the rim stays at the plane");
+        /// [`Summary::half_swings`].
+        HalfSwings = 17, "half_swings" => (ColumnType::Count, Dimension::Ratio, "number of half swings against rolling resistance");
     }
 }
 
@@ -291,6 +293,7 @@ impl SummaryColumn {
             Self::Landings => return Field::Count(&mut summary.landings),
             Self::ImpactEnergyLost => &mut summary.impact_energy_lost,
             Self::SettleTime => &mut summary.settle_time,
+            Self::HalfSwings => return Field::Count(&mut summary.half_swings),
         })
     }
 

@@ -1,9 +1,9 @@
 //! A phase of rolling that rolling resistance slows down: Taylor steps, each searched for events.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use crate::math::series::{DEGREE, Series, crossing, root, value};
-use crate::math::trig::{Angle, WholeTurns, split_turns};
+use crate::math::trig::{Angle, WholeTurns, less_a_turn, split_turns, with_turns};
 use crate::mechanics::{Accelerations, Clearance, ResistedRollingLaw};
 use crate::model::{Heavy, Hoop, Mode, RotationDirection, SlipDirection, State};
 use crate::modes::sliding::{MIN_RELATIVE_STEP, convergence_radius, max_step};
@@ -61,8 +61,9 @@ struct Cycle {
 
 #[derive(Clone, Copy, Debug)]
 struct Step {
-    /// Time since the start of the phase.
+    /// Time since the start of the phase, and whole turns to be added to θ.
     begin: f64,
+    turned: f64,
     theta: Series,
     theta_rate: Series,
 }
@@ -72,6 +73,7 @@ impl Step {
         let within = elapsed - self.begin;
         RollingPoint {
             elapsed,
+            turned: self.turned,
             place: PhasePoint {
                 theta: value(&self.theta, within),
                 rate: value(&self.theta_rate, within),
@@ -83,13 +85,15 @@ impl Step {
 #[derive(Clone, Copy, Debug)]
 struct RollingPoint {
     elapsed: f64,
+    /// Whole turns to be added to θ, which would lose digits with them.
+    turned: f64,
     place: PhasePoint,
 }
 
 #[derive(Clone, Copy, Debug)]
 enum Event {
     TurningPoint,
-    Slip(SlipDirection),
+    Limit(RollingLimit),
 }
 
 /// What a step leads to.
@@ -153,6 +157,7 @@ impl ResistedRolling {
     fn first_point(&self) -> RollingPoint {
         RollingPoint {
             elapsed: 0.0,
+            turned: 0.0,
             place: PhasePoint {
                 theta: self.start.theta,
                 rate: self.start.theta_rate,
@@ -199,11 +204,14 @@ impl ResistedRolling {
                 turns = goes_on.then_some(count + 1.0);
                 let rounding = f64::EPSILON * turn.u * self.steps.len() as f64 / (count + 1.0);
                 if goes_on && (turn.u - last_turn.u).abs() <= rounding {
-                    let period = turn.elapsed - last_turn.elapsed;
                     self.cycle = Some(Cycle {
                         from: last_turn.elapsed,
-                        period,
+                        period: turn.elapsed - last_turn.elapsed,
                     });
+                    // From its own start a turn does not round the time of all turns before.
+                    let period = self
+                        .turn_from(turn.u)
+                        .map_or(turn.elapsed - last_turn.elapsed, |turn| turn.elapsed);
                     return ResistedEnd::Endless(Recurrence::Rotation { period });
                 }
                 last_turn = turn;
@@ -213,7 +221,7 @@ impl ResistedRolling {
 
     /// The angle passed since the start, in the direction of motion.
     fn turned(&self, point: RollingPoint) -> f64 {
-        self.direction.sign() * (point.place.theta - self.start.theta)
+        self.direction.sign() * (with_turns(point.place.theta, point.turned) - self.start.theta)
     }
 
     /// One Taylor step from a point, of at most this time.
@@ -229,6 +237,7 @@ impl ResistedRolling {
         }
         let step = Step {
             begin: here.elapsed,
+            turned: here.turned,
             theta: series.theta,
             theta_rate: series.theta_rate,
         };
@@ -239,13 +248,16 @@ impl ResistedRolling {
         if let Some((at, event)) = self.first_event(&series, is_first, width) {
             return Advance::Event(step.at(here.elapsed + at), event);
         }
-        Advance::To {
-            next: RollingPoint {
-                elapsed: here.elapsed + width,
-                place: series.point(width),
-            },
-            is_last,
+        let mut next = RollingPoint {
+            elapsed: here.elapsed + width,
+            turned: here.turned,
+            place: series.point(width),
+        };
+        if self.direction.sign() * next.place.theta > PI {
+            next.place.theta = less_a_turn(next.place.theta);
+            next.turned += self.direction.sign();
         }
+        Advance::To { next, is_last }
     }
 
     /// The series about a point, and the time on which they converge.
@@ -259,7 +271,7 @@ impl ResistedRolling {
         let all = [
             &series.theta_rate,
             &series.normal,
-            &series.friction,
+            &series.demand[1],
             &series.denominator,
         ];
         let reach = convergence_radius(&series.theta_rate, all, max_step(self.steps.len()));
@@ -275,12 +287,16 @@ impl ResistedRolling {
     ) -> Option<(f64, Event)> {
         let slip = |direction: SlipDirection| {
             let margin = series.margin(self.mu_s, direction.sign());
-            (margin, Event::Slip(direction))
+            (margin, Event::Limit(RollingLimit::Friction(direction)))
         };
         let [back, forth] = SlipDirection::ALL.map(slip);
+        // Otherwise friction gives way before N vanishes.
+        let unloads = self.law.is_massless();
+        let unloaded = unloads.then_some((series.normal, Event::Limit(RollingLimit::NormalForce)));
         let ahead = series.theta_rate.map(|c| self.direction.sign() * c);
         let crossings = [back, forth, (ahead, Event::TurningPoint)]
             .into_iter()
+            .chain(unloaded)
             .filter_map(|(mut margin, event)| {
                 if is_first {
                     // Rolling begins where friction holds, and θ′ does not vanish: on a limit, but
@@ -300,10 +316,7 @@ impl ResistedRolling {
                 theta_rate: 0.0,
                 ..state
             }),
-            Event::Slip(direction) => ResistedEnd::Limit {
-                state,
-                limit: RollingLimit::Friction(direction),
-            },
+            Event::Limit(limit) => ResistedEnd::Limit { state, limit },
         }
     }
 
@@ -317,6 +330,7 @@ impl ResistedRolling {
         }
         self.steps.push(Step {
             begin: 0.0,
+            turned: 0.0,
             theta: series.theta,
             theta_rate: series.theta_rate,
         });
@@ -337,7 +351,7 @@ impl ResistedRolling {
             return None;
         }
         let (last, heading) = (self.steps.last()?, self.direction.sign());
-        let end = self.start.theta + heading * (count * TAU);
+        let end = with_turns(self.start.theta, heading * count - last.turned);
         let at = root(&last.theta, end, -heading, here.elapsed - last.begin);
         let rate = value(&last.theta_rate, at);
         Some(TurnEnd {
@@ -408,17 +422,25 @@ impl ResistedRolling {
             None => self.first_point(),
         };
         point.elapsed = elapsed;
-        point.place.theta += turns * (self.direction.sign() * TAU);
+        point.turned += turns * self.direction.sign();
         self.state_from(point)
     }
 
-    fn state_from(&self, RollingPoint { elapsed, place }: RollingPoint) -> State {
+    fn state_from(
+        &self,
+        RollingPoint {
+            elapsed,
+            turned,
+            place,
+        }: RollingPoint,
+    ) -> State {
+        let theta = with_turns(place.theta, turned);
         State {
             time: self.start.time + elapsed,
-            theta: self.turns.add_to(place.theta),
+            theta: self.turns.add_to(theta),
             theta_rate: place.rate,
             slip: 0.0,
-            x: self.start.x - (place.theta - self.start.theta),
+            x: self.start.x - (theta - self.start.theta),
         }
     }
 
