@@ -27,8 +27,7 @@ fn bound(family: &str) -> f64 {
         "jam" | "leaves-at-once" | "rests-rolling" | "rests-sliding" | "settles-sticking" => 32.0,
         "elastic" | "ramp-rests" | "reversal-chain" | "settles-sliding" => 64.0,
         "elastic-settling" | "lift-off" | "ramp-jump" => 128.0,
-        "engines" | "si" | "slide-roll-slip" | "rests-rolling" | "rests-sliding"
-        | "rests-landing" | "ramp-rests" => 512.0,
+        "engines" | "si" | "slide-roll-slip" => 512.0,
         "long-rolling" => 4096.0,
         "paper" => 8192.0,
         "landing" => 65_536.0,

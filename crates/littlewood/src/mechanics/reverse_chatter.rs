@@ -88,9 +88,6 @@ impl PhasePlane {
     /// # Ok::<(), littlewood::ParameterError>(())
     /// ```
     pub fn reverse_chatter(&self, theta: f64, theta_rate: f64) -> Option<f64> {
-        if !self.is_even() {
-            return None;
-        }
         let (body, restitution) = self.bouncing()?;
         let rate = theta_rate / self.pace;
         let (sin, cos) = libm::sincos(theta);
