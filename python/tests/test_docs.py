@@ -27,6 +27,7 @@ PAGES = [
         )
     ),
     PYTHON.parent / "docs" / "start.md",
+    PYTHON.parent / "docs" / "howto" / "experiments.md",
     PYTHON.parent / "docs" / "studies" / "gradients-through-contact.md",
 ]
 

@@ -2,6 +2,7 @@
 
 import math
 import os
+import re
 from pathlib import Path
 
 import numpy as np
@@ -60,14 +61,79 @@ def test_tracker_exports_centre_and_marker(units):
     )
 
 
-def test_kinovea_exports_trajectories(units):
-    track = lw.Track.from_csv(TRACKS / "kinovea.txt", units, length_unit="cm")
-    assert_rolls(track, units, ("theta", "x", "y"), atol=1e-5)
-    track = lw.Track.from_csv(TRACKS / "kinovea.csv", units)
-    assert_rolls(track, units, ("theta", "x", "y"), missing=(3,))
-    track = lw.Track.from_csv(TRACKS / "kinovea-timecodes.txt", units, length_unit="cm")
+def test_tracker_separates_by_spaces(units):
+    # A point that was not seen leaves its separators; names have spaces, too.
+    track = lw.Track.from_csv(TRACKS / "tracker-space.txt", units)
+    assert_rolls(track, units, ("theta", "x", "y"), missing=(5,))
+
+
+@pytest.mark.parametrize(
+    ("file", "said", "atol", "missing"),
+    [
+        ("kinovea.txt", {"time_unit": "s", "length_unit": "cm"}, 1e-5, ()),
+        ("kinovea.txt", {"fps": 240, "length_unit": "cm"}, 1e-5, ()),
+        ("kinovea.csv", {"time_unit": "s"}, 2e-6, (3,)),
+        ("kinovea-milliseconds.txt", {"time_unit": "ms", "length_unit": "cm"}, 1e-5, ()),
+        ("kinovea-milliseconds.txt", {"fps": 240, "length_unit": "cm"}, 1e-5, ()),
+        ("kinovea-frames.csv", {"fps": 240}, 5e-6, ()),
+        ("kinovea-frames.csv", {"fps": 240, "time_unit": "frame"}, 5e-6, ()),
+    ],
+)
+def test_kinovea_exports_trajectories(units, file, said, atol, missing):
+    track = lw.Track.from_csv(TRACKS / file, units, **said)
+    assert_rolls(track, units, ("theta", "x", "y"), atol=atol, missing=missing)
+
+
+@pytest.mark.parametrize("thousandth", ["", "0"])
+def test_kinovea_exports_time_codes(tmp_path, units, thousandth):
+    # Hundredths, or thousandths of films with more than 100 frames a second.
+    text = (TRACKS / "kinovea-timecodes.txt").read_text(encoding="utf-8")
+    path = tmp_path / "codes.txt"
+    path.write_text(re.sub(r"^(0:00:00:\d\d)", rf"\g<1>{thousandth}", text, flags=re.MULTILINE))
+    track = lw.Track.from_csv(path, units, length_unit="cm")
     np.testing.assert_allclose(track.time * units.time_s, 0.04 * np.arange(12), atol=1e-12)
     np.testing.assert_allclose(track.x * RADIUS, 0.6 * 0.04 * np.arange(12), atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("file", "said", "message"),
+    [
+        (
+            "kinovea.txt",
+            {"length_unit": "cm"},
+            r'column T: has no unit; its rows are 0.004167 apart; say it: time_unit="s" \(240 a',
+        ),
+        ("kinovea.csv", {}, r'column Time: has no unit; .* time_unit="s" \(240 a second\)$'),
+        ("kinovea-milliseconds.txt", {}, r'are 4.167 apart; say it: time_unit="ms" \(240 a'),
+        (
+            "kinovea-frames.csv",
+            {},
+            r'1 apart; say it: time_unit="ms" \(1000 .*, or time_unit="frame" with fps=240',
+        ),
+        (
+            "kinovea-milliseconds.txt",
+            {"fps": 120},
+            r'no frames at 120 a second; say it: time_unit="ms" \(240 a second\)$',
+        ),
+        # Whoever says a unit may be wrong, too.
+        ("kinovea-milliseconds.txt", {"time_unit": "s"}, r'say it: time_unit="ms"'),
+        (
+            "kinovea-milliseconds.txt",
+            {"time_unit": "ms"},
+            r"column Y: has no unit; the lowest height of the centre is 30, the radius of the hoop "
+            r'0.3 m; say it: length_unit="cm"; or give the plane',
+        ),
+        # Played at 30 a second, or each eighth frame: the table does not say which.
+        ("kinovea.csv", {"time_unit": "s", "fps": 1920}, "8 frames at 1920 a second; leave out"),
+        ("tracker.txt", {"fps": 120}, "column t: has times 0.004167 s apart, 0.5 frames at 120"),
+        ("tracker.txt", {"length_unit": "mm"}, "is 0.3, 0.001 radii of the hoop; y grows upwards"),
+        ("tracker.txt", {"dimensionless": True}, "is in SI units; leave out dimensionless=True"),
+        ("capstone.csv", {"run": 1, "time_unit": "ms"}, 'is in s; leave out time_unit="ms"'),
+    ],
+)
+def test_units_that_may_be_several_are_asked_for(units, file, said, message):
+    with pytest.raises(TableFileError, match=message):
+        lw.Track.from_csv(TRACKS / file, units, **said)
 
 
 def test_capstone_exports_runs(units):
@@ -77,6 +143,19 @@ def test_capstone_exports_runs(units):
     second = lw.Track.from_csv(TRACKS / "capstone.csv", units, run=2)
     assert second.time.size == 8
     np.testing.assert_allclose(second.theta, 1.0 + THETA[:8], atol=2e-6)
+
+
+def test_vernier_exports_data_sets(units):
+    path = TRACKS / "logger-pro.csv"
+    with pytest.raises(TableFileError, match=r'has runs Latest, 1; choose one: run="Latest"'):
+        lw.Track.from_csv(path, units)
+    with pytest.raises(TableFileError, match=r"has runs Latest, 1, run=2 is none of them"):
+        lw.Track.from_csv(path, units, run=2)
+    assert_rolls(lw.Track.from_csv(path, units, run="Latest"), units, ("x", "y"))
+    first = lw.Track.from_csv(path, units, run=1)
+    np.testing.assert_allclose(first.x, (X_M[:8] + 1.0) / RADIUS, atol=2e-6)
+    track = lw.Track.from_csv(TRACKS / "graphical-analysis.csv", units)
+    assert_rolls(track, units, ("x", "y"), atol=2e-6)
 
 
 def test_opencv_writes_frames_and_pixels(units):
@@ -102,6 +181,91 @@ def test_a_motion_that_was_written_is_read(tmp_path, units):
     np.testing.assert_array_equal(
         lw.Track.from_csv(tmp_path / "plain.csv").theta, motion(time).theta
     )
+
+
+def own_table(names, columns):
+    """A table of one's own, with these names over the numbers."""
+    rows = [",".join(f"{value:.6f}" for value in row) for row in zip(*columns, strict=True)]
+    return "\n".join([names, *rows, ""])
+
+
+@pytest.mark.parametrize("names", ["time,theta,x,y", "t,theta,x,y"])
+def test_names_without_units_are_in_si_if_the_sizes_say_so(tmp_path, units, names):
+    path = tmp_path / "own.csv"
+    height = np.full(12, RADIUS)
+    path.write_text(own_table(names, [TIME_S, THETA, X_M, height]))
+    assert_rolls(lw.Track.from_csv(path, units), units, ("theta", "x", "y"), atol=5e-6)
+    # Of a hoop with a radius of about a metre nothing tells radii from metres; without heights
+    # nothing does at all.
+    for table, radius_m, message in [
+        ([TIME_S, THETA, X_M, height / RADIUS], 1.1, "is 1, the radius of the hoop 1.1 m"),
+        ([TIME_S, THETA, X_M, height / RADIUS], RADIUS, "is 1, the radius of the hoop 0.3 m"),
+        ([TIME_S, THETA, X_M], RADIUS, "has no units, the radius of the hoop 0.3 m"),
+        ([TIME_S, np.degrees(THETA), X_M, height], RADIUS, "column theta: has no unit; name it"),
+        ([1e3 * TIME_S, THETA, X_M, height], RADIUS, r'say it: time_unit="ms" \(240 a second'),
+        ([TIME_S, THETA, X_M, -height], RADIUS, "y grows upwards from the floor"),
+    ]:
+        path.write_text(own_table(",".join(names.split(",")[: len(table)]), table))
+        other = lw.units.Units(0.25, radius_m, math.sqrt(radius_m / 9.8), 9.8)
+        with pytest.raises(TableFileError, match=message):
+            lw.Track.from_csv(path, other)
+    path.write_text(own_table(names, [TIME_S, THETA, X_M / 0.6, height / 0.6]))
+    large = lw.units.Units(0.25, 0.5, math.sqrt(0.5 / 9.8), 9.8)
+    np.testing.assert_allclose(lw.Track.from_csv(path, large).y, 1.0, atol=1e-5)
+    plain = [TIME_S / units.time_s, THETA, X_M / RADIUS, height / RADIUS]
+    path.write_text(own_table(names, plain))
+    for said in ({"units": units, "dimensionless": True}, {}):
+        assert_rolls(lw.Track.from_csv(path, **said), units, ("theta", "x", "y"), atol=5e-6)
+
+
+def test_pixels_are_known_by_their_size(tmp_path, units):
+    path = tmp_path / "pixels.csv"
+    u, v = 100.0 + 300.0 * X_M, np.full(12, 250.25)
+    for names, columns, message in [
+        ("time_s,x_m,y_m", [TIME_S, u, v], "834 radii of the hoop; name its unit"),
+        ("time_s,centre/x_m,centre/y_m,marker/x_m,marker/y_m", [TIME_S, u, v, u, v + 99], "834"),
+        ("frame,x,y", [np.arange(12.0), u, v], "is 250.25, the radius of the hoop 0.3 m"),
+        ("frame,x,y", [np.arange(12.0), np.round(40 * u), v], "has whole numbers without a unit"),
+        ("time,x,y", [TIME_S, u, v], "is 250.25, 834 radii of the hoop"),
+    ]:
+        path.write_text(own_table(names, columns))
+        with pytest.raises(TableFileError, match=message):
+            lw.Track.from_csv(path, units, fps=240)
+    path.write_text("\tmass A\t\t\n" + own_table("t,x,y", [TIME_S, u, v]).replace(",", "\t"))
+    with pytest.raises(TableFileError, match=r'say it: length_unit="mm"; or give the plane'):
+        lw.Track.from_csv(path, units)
+    # Level axes may have their origin anywhere on a ramp, but a marker is on its hoop.
+    names = "time_s,centre/x_m,centre/y_m,marker/x_m,marker/y_m"
+    path.write_text(own_table(names, [TIME_S, u, v, u, v + 99]))
+    with pytest.raises(TableFileError, match="distance of the marker is 99, 330 radii"):
+        lw.Track.from_csv(path, units, level=True)
+    path.write_text(own_table("time_s,x_m,y_m", [TIME_S, X_M, X_M - 2.0]))
+    assert lw.Track.from_csv(path, units, level=True).time.size == 12
+
+
+def test_the_way_tells_the_unit_where_nothing_else_does(tmp_path, units):
+    path = tmp_path / "way.txt"
+    rows = "\n".join(f"{t:.6f}\t{2.0 * t:.6f}" for t in np.arange(100) / 240.0)
+    path.write_text(f"\tmass A\t\nt\tx\t\n{rows}\n")
+    track = lw.Track.from_csv(path, units)
+    assert track.x[-1] == pytest.approx(2.0 * 99 / 240 / RADIUS, rel=1e-5)
+    rows = "\n".join(f"{t:.6f}\t{200.0 * t:.6f}" for t in np.arange(100) / 240.0)
+    path.write_text(f"\tmass A\t\nt\tx\t\n{rows}\n")
+    with pytest.raises(
+        TableFileError,
+        match=r'column x: has no unit; the way of the centre is 82.5, .* length_unit="cm"; or give',
+    ):
+        lw.Track.from_csv(path, units)
+
+
+def test_times_of_the_calendar_count_from_the_first(tmp_path, units):
+    path = tmp_path / "unix.csv"
+    for name, unit in (("time_s", 1.0), ("time_ms", 1e-3)):
+        path.write_text(own_table(f"{name},x_m", [(1764331234.5 + TIME_S) / unit, X_M]))
+        track = lw.Track.from_csv(path, units)
+        # A double tells times of the calendar to a quarter of a microsecond.
+        np.testing.assert_allclose(track.time * units.time_s, TIME_S, atol=1e-6)
+        assert track.notes[0].startswith("The times of the table count from its first row, 17643")
 
 
 @pytest.mark.parametrize(
@@ -147,7 +311,7 @@ REFUSED = {
         "time_s,theta_deg,theta_rad\n0,1,2\n",
         "line 1: theta_deg and theta_rad: two columns of one quantity; remove one",
     ),
-    "a name twice": ("time_s,x_m,x_m\n0,1,2\n", "line 1: x_m: two columns of one quantity"),
+    "a name twice": ("time_s,x_m,x_m\n0,1,2\n", "x_m: two columns of one quantity; remove one$"),
     "two decimal marks": (
         "time_s;x_m\n0;1,5\n1;1.6\n",
         "line 3, column x_m: '1.6' has another decimal mark",
@@ -171,15 +335,15 @@ REFUSED = {
     ),
     "a length without a unit": (
         "time_s,x\n0,1\n",
-        "line 1, column x: has no dimension, the time is in SI units; name it x_m",
+        "line 1, column x: has no dimension, time_s is in SI units; name it x_m",
     ),
     "a time without a unit": (
         "time,x_m\n0,1\n",
         "line 1, column x_m: is in SI units, time has no dimension",
     ),
     "an angle without a unit": (
-        "t\tθ\n0\t1\n",
-        "line 1, column θ: has no unit; name it theta_deg or theta_rad",
+        "\tA\t\nt\tθ\t\n0\t1\n1\t2\n",
+        "line 2, column θ: has no unit; name it theta_deg or theta_rad",
     ),
     "a unit of another kind": ("time_s,x_deg\n0,1\n", "column 'x_deg': is not a column"),
     "an unknown unit": ("time_s,x (furlong)\n0,1\n", r"column 'x \(furlong\)': is not a column"),
@@ -195,6 +359,49 @@ REFUSED = {
     "points without a role": (
         "\tA\t\tB\t\nt\tx\ty\tx\ty\t\n0\t1\t2\t3\t4\n",
         "has the points A, B; say which are",
+    ),
+    "a marker alone": (
+        "\tmarker\t\t\nt\tx\ty\t\n0\t0\t0.57\n0.01\t0\t0.57\n",
+        "line 2: has the point 'marker' alone, .*; track the centre, too; or if it is the centre: "
+        'centre="marker"',
+    ),
+    "a name twice in Tracker": (
+        "#multi:\n\tA\t\tA\t\nt\tx\ty\tx\ty\n0\t1\t2\t3\t4\n",
+        "line 3: x: two columns of one quantity; remove one$",
+    ),
+    "a point over no column": (" a\nt\n0\n", "line 1: has 1 names of points over 0 columns"),
+    "points whose names do not fit": (
+        " a b  c  \nt x y x\n0 1 2 3\n",
+        "line 1: has 2 names of points over 3 columns; export the data with tabs",
+    ),
+    "a name twice in Kinovea": (
+        "#Kinovea Trajectory data export\n#T X Y\n\n# Trajectory 1\n0 1 2\n\n# Trajectory 1\n",
+        "line 7: has a second trajectory with the name 'Trajectory 1'; give each its own name",
+    ),
+    "decimals or thousands": (
+        "time_s\tx_mm\n0\t1,010\n1\t1,013\n",
+        "line 2, column x_mm: '1,010' may be 1010 or 1.010; write decimals with a point",
+    ),
+    "a table with an index": (
+        ",time_s,x_m\n0,0,1\n1,0.1,1\n",
+        r"line 1, column '': is not a column .* ignore=\(\"\",\) passes over it",
+    ),
+    "an export of DeepLabCut": (
+        "scorer,DLC_resnet50,DLC_resnet50,DLC_resnet50\nbodyparts,hub,hub,hub\n"
+        "coords,x,y,likelihood\n0,12.5,20.25,0.99\n",
+        "line 1: is an export of DeepLabCut: pixels, .*; write a table with the columns frame,",
+    ),
+    "an export of SLEAP": (
+        "track,frame_idx,instance.score,hub.score,hub.x,hub.y\nhoop,0,0.9,0.9,100.0,200.0\n",
+        "line 1: is an export of SLEAP: pixels, .*; write a table with the columns frame,",
+    ),
+    "an export of phyphox": (
+        '"Time (s)";"Linear Acceleration x (m/s^2)";"Linear Acceleration y (m/s^2)"\n0;1;2\n',
+        "line 1: is an export of phyphox: what a telephone felt, .*; film the hoop, and track it",
+    ),
+    "a text of Logger Pro": (
+        "Vernier Format 2\nUntitled.cmbl 5/5/2019 9:37:43 .\nRun 1\nTime\tX\nt\tx\ns\tm\n\n0\t1\n",
+        "line 1: is the text format of Logger Pro; choose File > Export As > CSV in Logger Pro",
     ),
     "three words in Kinovea": (
         "#Kinovea Trajectory data export\n#T X Y\n\n# A\n0 1\n",
@@ -221,6 +428,8 @@ def test_what_cannot_be_read_is_refused_with_its_place(tmp_path, units, text, me
     [
         (b"PK\x03\x04rest", "is a spreadsheet or an archive: save the sheet as CSV"),
         (b"<?xml version='1.0'?>", "is a project or a web page: export the data"),
+        (b'{"coordinates": []}', "is JSON: export the data of the track as CSV"),
+        (b"\x89HDF\r\n\x1a\n", "is HDF5: export the data of the track as CSV"),
         (b"time_s,x_m\n0,\x00\n", "is not text: byte 13 is 0"),
         (b"time_s,x_m\n0,\xb5\n", "line 2: byte 0xb5 is not UTF-8; save the file as UTF-8"),
     ],
@@ -282,6 +491,9 @@ def test_errors_have_their_parts(tmp_path, units):
         lw.Track.from_csv(path, units, ignore=("mood", "mud"))
     with pytest.raises(TableFileError, match="from_si"):
         lw.Track.from_csv(path, ignore=("mood",))
+    for said in ({"length_unit": "inch"}, {"time_unit": "min"}, {"fps": 0.0}):
+        with pytest.raises(ValueError, match="must be"):
+            lw.Track.from_csv(path, units, **said)
 
 
 def test_tracks_of_arrays_lose_nothing():

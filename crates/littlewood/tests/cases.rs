@@ -456,9 +456,64 @@ fn resisted() -> impl Iterator<Item = Trajectory> {
         ),
         (
             [0.0634, 0.33, 0.01927],
-            [1.443, 1.443, 3.14, 0.0],
+            [1.443, 1.443, 3.1401, 0.0],
             Start::at(-1.799, -1.282),
             0.5,
+        ),
+    ];
+    let rim = |offset: f64| [0.0, offset, 0.0];
+    let without_inertia = [
+        (
+            rim(0.615),
+            [1.137, 1.005, 0.348, 0.0],
+            Start::at(2.703, -0.885).with_slip(0.068),
+        ),
+        (
+            rim(0.225),
+            [0.056, 0.037, 1.957, 0.0],
+            Start::at(-0.059, 0.704).with_slip(-1.177),
+        ),
+        (
+            rim(0.967),
+            [0.357, 0.357, 0.0117, 0.0],
+            Start::at(-1.057, 0.173).with_slip(-0.778),
+        ),
+        (
+            rim(0.765),
+            [2.693, 2.693, 0.0329, 0.0],
+            Start::at(2.374, 1.02).with_slip(-0.92),
+        ),
+        (
+            rim(0.711),
+            [0.263, 0.263, 0.333, 0.0],
+            Start::at(-2.605, 0.0).with_slip(-0.72),
+        ),
+        // To glide, and to skid, out of a turning point and of a skid on a slope.
+        (
+            rim(0.1352),
+            [0.0743, 0.0406, 0.0624, -1.1446],
+            Start::at(0.7542, 1.3612),
+        ),
+        (
+            rim(0.4527),
+            [0.1407, 0.1407, 0.5783, -1.0111],
+            Start::at(1.3611, 0.0).with_slip(-0.6971),
+        ),
+        (
+            rim(1.0),
+            [1.4764, 1.4764, 1.5674, -0.8931],
+            Start::at(-2.0399, 0.0).with_slip(-0.3582),
+        ),
+        (
+            rim(0.3773),
+            [0.2585, 0.037, 1.0376, 0.6062],
+            Start::at(0.2336, -1.171),
+        ),
+        // The slip ends where pressing would close the gap.
+        (
+            rim(1.0),
+            [2.0768, 0.7813, 2.3256, 0.0],
+            Start::at(1.5247, 2.554).with_slip(0.1874),
         ),
     ];
     let bounces = with_impacts.map(|(body, plane, start, e)| {
@@ -469,7 +524,8 @@ fn resisted() -> impl Iterator<Item = Trajectory> {
         };
         (hoop(body, plane).with_restitution(e, law), start)
     });
-    let contacts = in_contact.map(|(body, plane, start)| (hoop(body, plane), start));
+    let contacts = in_contact.into_iter().chain(without_inertia);
+    let contacts = contacts.map(move |(body, plane, start)| (hoop(body, plane), start));
     contacts
         .into_iter()
         .chain(bounces)

@@ -9,8 +9,8 @@ use std::path::Path;
 use littlewood::si::{SiSetup, SiState, Units};
 use littlewood::tables::{Quantity, Setup};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, State,
-    Trajectory, Transition,
+    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, ParameterError, RestitutionLaw, Start,
+    State, Trajectory, Transition,
 };
 use serde_json::Value;
 
@@ -27,7 +27,8 @@ fn bound(family: &str) -> f64 {
         "jam" | "leaves-at-once" | "settles-sticking" => 32.0,
         "elastic" | "reversal-chain" | "settles-sliding" => 64.0,
         "elastic-settling" | "lift-off" | "ramp-jump" => 128.0,
-        "engines" | "si" | "slide-roll-slip" => 512.0,
+        "engines" | "si" | "slide-roll-slip" | "rests-rolling" | "rests-sliding"
+        | "rests-landing" | "ramp-rests" => 512.0,
         "long-rolling" => 4096.0,
         "paper" => 8192.0,
         "landing" => 65_536.0,
@@ -43,7 +44,7 @@ fn number(value: &Value) -> f64 {
 }
 
 /// The motion of a case by the library, and its units if it is given in SI.
-fn motion(case: &Value) -> (Trajectory, Option<Units>) {
+fn motion(case: &Value) -> Result<(Trajectory, Option<Units>), ParameterError> {
     let start = |name: &str| case["start"].get(name).map_or(0.0, number);
     let hoop = |quantity: Quantity| {
         let given = case["hoop"].get(quantity.name()).map(number);
@@ -69,10 +70,7 @@ fn motion(case: &Value) -> (Trajectory, Option<Units>) {
             let start = units.start(&si).expect("a valid start");
             let until = until.map(|until| units.until(until, &start).expect("a valid limit"));
             let limits = Limits::default().with_until(until);
-            (
-                hoop.simulate(start, limits).expect("a valid start"),
-                Some(units),
-            )
+            Ok((hoop.simulate(start, limits)?, Some(units)))
         }
         Some("dimensionless") => {
             let mut setup = Setup::new(HoopParameters::default(), Start::default());
@@ -86,11 +84,8 @@ fn motion(case: &Value) -> (Trajectory, Option<Units>) {
                 .with_slip(start("slip"))
                 .with_gap_rate(start("gap_rate"));
             let hoop = Hoop::new(setup.hoop).expect("a valid hoop");
-            (
-                hoop.simulate(start, Limits::default().with_until(until))
-                    .expect("a valid start"),
-                None,
-            )
+            let limits = Limits::default().with_until(until);
+            Ok((hoop.simulate(start, limits)?, None))
         }
         other => panic!("units {other:?}"),
     }
@@ -165,6 +160,7 @@ fn every_certified_motion_is_that_of_the_library() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../evidence/truth/certificates");
     let mut families: BTreeMap<String, (u32, f64)> = BTreeMap::new();
     let mut wrong = Vec::new();
+    let mut refused = 0;
     for entry in fs::read_dir(folder).expect("the certificates") {
         let text = fs::read_to_string(entry.expect("a file").path()).expect("a certificate");
         let certificate: Value = serde_json::from_str(&text).expect("a certificate");
@@ -173,7 +169,15 @@ fn every_certified_motion_is_that_of_the_library() {
         }
         let case = &certificate["case"];
         let (name, family) = (&case["name"], case["family"].as_str().expect("a family"));
-        let (motion, units) = motion(case);
+        let (motion, units) = match motion(case) {
+            Ok(found) => found,
+            // What the library does not have yet, it says so.
+            Err(error) if error.quantity() == Quantity::RollingResistance => {
+                refused += 1;
+                continue;
+            }
+            Err(error) => panic!("{name}: {error}"),
+        };
         let events = certificate["events"].as_array().expect("events");
         let ours = match pairs(events, motion.transitions()) {
             Ok(ours) => ours,
@@ -217,7 +221,8 @@ fn every_certified_motion_is_that_of_the_library() {
         *of_family = (of_family.0 + 1, of_family.1.max(largest));
     }
     println!(
-        "certified motions and the largest error of a number in units in the last place: {families:?}"
+        "certified motions and the largest error of a number in units in the last place: {families:?}; \
+         {refused} with rolling resistance are refused"
     );
     assert!(wrong.is_empty(), "{wrong:#?}");
     assert!(

@@ -4,8 +4,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::common::newton::Sizes;
 use crate::common::{boundary_start, engines, heavy_hoop, simulate};
-use crate::consistent_modes::Sizes;
 use littlewood::modes::{PhaseSolution, Recurrence};
 use littlewood::tables::{Bound, Quantity, Setup};
 use littlewood::theory::{PhasePlane, RollingLaw, StartRegion};

@@ -483,6 +483,10 @@ fn laws() -> impl Strategy<Value = RestitutionLaw> {
     prop::sample::select(RestitutionLaw::ALL.to_vec())
 }
 
+fn chi() -> impl Strategy<Value = f64> {
+    prop_oneof![1 => Just(0.0), 2 => 0.0..1.0_f64, 2 => 0.0..4.0_f64]
+}
+
 fn coefficients() -> impl Strategy<Value = f64> {
     prop_oneof![Just(0.0), Just(1.0), 0.0..1.0_f64]
 }
@@ -507,6 +511,11 @@ fn an_impact_is_the_same_in_all_units_of_velocity() {
     for case in 0..20_000 {
         let mut draw = Draw::of_case(51, 2, case);
         let (hoop, start) = draw.heavy_motion();
+        let hoop = if draw.comes(0.6) {
+            draw.resisted(&hoop)
+        } else {
+            hoop
+        };
         let mut velocity = |powers| {
             let size = draw.of_any_size(powers);
             if draw.comes(0.5) { -size } else { size }
@@ -520,12 +529,14 @@ fn an_impact_is_the_same_in_all_units_of_velocity() {
         let (e, law) = (draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
         let of_units = |unit: f64| {
             let start = Start::at(start.theta, rate * unit).with_slip(slip * unit);
-            impact(&hoop, &State::from(start), -closing * unit, e, law)
+            hoop.impact(&State::from(start), -closing * unit, restitution(e, law))
         };
-        let of_1 = of_units(1.0);
+        let Ok(of_1) = of_units(1.0) else {
+            continue;
+        };
         for exponent in [-980, -800, -600, -350, -301, 301, 500, 800] {
             let unit = libm::scalbn(1.0, exponent);
-            let found = of_units(unit);
+            let found = of_units(unit).expect("decided");
             assert_eq!(found.case, of_1.case);
             for (ours, theirs) in [
                 (found.after.theta_rate, of_1.after.theta_rate),
@@ -565,6 +576,11 @@ fn moderate(draw: &mut Draw) -> (HoopParameters, f64) {
         .with_offset(draw.between([0.2, 1.0]))
         .with_inertia(draw.between([0.2, 3.0]));
     (hoop, draw.between([-3.0, 3.0]))
+}
+
+/// The same hoop with rolling resistance.
+fn resisted(hoop: &Hoop, chi: f64) -> Hoop {
+    Hoop::new(hoop.parameters().with_rolling_resistance(chi)).expect("a valid hoop")
 }
 
 fn rough(hoop: HoopParameters, mu_s: f64, mu_k: f64) -> Hoop {
@@ -782,6 +798,167 @@ fn at_p_0_without_a_closing_gap_an_impact_is_undecided() {
     assert!(ties > 200, "{ties}");
 }
 
+/// With a resistance that is nothing the impact is that without, which is computed in another way.
+#[test]
+fn a_vanishing_resistance_changes_nothing() {
+    for number in 0..20_000 {
+        let mut draw = Draw::of_case(51, 8, number);
+        let (parameters, theta) = moderate(&mut draw);
+        let mu_s = draw.between([0.0, 2.0]);
+        let hoop = rough(parameters, mu_s, mu_s * draw.share());
+        let (rate, slip) = (draw.between([-2.0, 2.0]), draw.between([-2.0, 2.0]));
+        let state = State::from(Start::at(theta, rate).with_slip(slip));
+        let (e, law) = (draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let [without, with] =
+            [0.0, 1e-300].map(|chi| impact(&resisted(&hoop, chi), &state, -1.0, e, law));
+        assert_eq!(without.case, with.case);
+        let stops = |it: &Impact| hoop.impact_course(theta, it).len();
+        assert_eq!(stops(&without), stops(&with));
+        for (a, b) in numbers(&without).into_iter().zip(numbers(&with)) {
+            let size = 1.0 + without.impulse.normal;
+            assert!(
+                (a - b).abs() < 1e-13 * size * size,
+                "{a} {b}\n{without:?}\n{with:?}"
+            );
+        }
+    }
+}
+
+/// Where both sides of a tie differ: without slip at the limit of static friction, at D_χ = 0 and P
+/// = 0 without a closing gap, and where slip and rotation end together.
+#[test]
+fn ties_of_impacts_with_rolling_resistance_are_said() {
+    let mut seen = [0; 4];
+    for number in 0..20_000 {
+        let mut draw = Draw::of_case(51, 9, number);
+        let (parameters, theta) = moderate(&mut draw);
+        let free = rough(parameters, 0.0, 0.0);
+        let ((inertia, h), mass) = (heavy(&free), free.mass());
+        let (sin, cos) = libm::sincos(theta);
+        let (arm, lever) = (h * sin, 1.0 + h * cos);
+        let about = inertia + mass * lever * lever;
+        let e = restitution(draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let of = |mu: [f64; 2], chi: f64, [rate, slip, closing]: [f64; 3]| {
+            let hoop = resisted(&rough(parameters, mu[0], mu[1]), chi);
+            let state = State::from(Start::at(theta, rate).with_slip(slip));
+            hoop.impact(&state, -closing, e)
+        };
+        let undecided = Err(ImpactError::Undecided { theta });
+        let (chi, sign) = (draw.between([0.0, 0.3]), draw.one_of(&[-1.0, 1.0]));
+        let needed = mass * lever * (arm - sign * chi) / about;
+        let mu = needed.abs();
+        if mu > 0.02 {
+            let tie = |part: f64| of([mu * part, 0.5 * mu], chi, [sign, 0.0, 1.0]);
+            assert_eq!(tie(1.0), undecided);
+            let (slips, sticks) = (tie(1.0 - 1e-12).expect("slips"), tie(1.0 + 1e-12));
+            assert!(slips.after.slip.abs() > 1e-6 && sticks.expect("sticks").after.slip == 0.0);
+            seen[0] += 1;
+        }
+        let dead = arm.abs() + about / (mass * arm.abs());
+        if dead < 100.0 {
+            let tie = |part: f64| of([9e8; 2], dead * part, [arm.signum(), 0.0, 0.0]);
+            assert_eq!(tie(1.0), undecided);
+            assert_eq!(tie(1.0 - 1e-12).expect("none").case, ImpactCase::None);
+            let stops = tie(1.0 + 1e-12).expect("jams");
+            assert_eq!(
+                (stops.case, stops.after.theta_rate),
+                (ImpactCase::Jams, 0.0)
+            );
+            seen[1] += 1;
+        }
+        let mu = 0.1;
+        let painleve = arm.abs() - mu * lever + inertia / (mass * arm.abs());
+        if painleve > 0.0 && painleve < 100.0 {
+            let turn = arm.signum();
+            let tie = |part: f64| of([mu; 2], painleve * part, [turn, turn, 0.0]);
+            assert_eq!(tie(1.0), undecided);
+            assert_eq!(tie(1.0 - 1e-12).expect("none").case, ImpactCase::None);
+            assert_eq!(tie(1.0 + 1e-12).expect("jams").case, ImpactCase::Jams);
+            seen[2] += 1;
+        }
+        // At rest it would roll, by static friction, or slip, by the kinetic one.
+        let chi = 0.3 * arm.abs();
+        let mu = mass * lever * arm.abs() / about;
+        let (spin, mu_k) = ((1.3 * arm.abs() + 0.2 * mu * lever) / inertia, 0.2 * mu);
+        let slip = (mu_k / mass + lever * spin) / spin;
+        if mu > 0.02 {
+            let way = -arm.signum();
+            let tie = |part: f64| of([mu, mu_k], chi, [way, way * slip * part, 100.0]);
+            assert_eq!(tie(1.0), undecided);
+            let (rolls, slips) = (tie(1.0 - 1e-9), tie(1.0 + 1e-9));
+            let [rolls, slips] = [rolls, slips].map(|it| it.expect("decided").after.slip);
+            assert!(
+                (rolls - slips).abs() > 1e-6 && rolls * slips == 0.0,
+                "{rolls} {slips}"
+            );
+            seen[3] += 1;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 1000), "{seen:?}");
+}
+
+/// A light hoop that begins to stick while it springs back, where pressing closes the gap: with
+/// little restitution the impact ends before, with more the hoop stops dead.
+#[test]
+fn an_impact_whose_gap_closes_again_is_that_of_small_steps() {
+    let mut seen = [0; 3];
+    for number in 0..120_000 {
+        let mut draw = Draw::of_case(51, 10, number);
+        let light = HoopParameters::thin(draw.between([0.02, 0.2]));
+        let chi = draw.between([1.0, 5.0]);
+        let hoop = resisted(&rough(light, 9.0, draw.between([0.3, 2.0])), chi);
+        let theta = draw.between([2.0, 3.1]);
+        let (rate, slip) = (draw.between([0.5, 2.0]), -draw.of_any_size([-2.0, 1.0]));
+        let law = draw.one_of(RestitutionLaw::ALL.as_slice());
+        let state = State::from(Start::at(theta, rate).with_slip(slip));
+        let of = |e: f64| hoop.impact(&state, -1.0, restitution(e, law));
+        let (Ok(low), Ok(high)) = (of(0.01), of(1.0)) else {
+            continue;
+        };
+        let stops = |it: &Impact| it.after.theta_rate == 0.0;
+        if stops(&low) || !stops(&high) {
+            continue;
+        }
+        let stepper = Stepper::new(&hoop, theta);
+        for e in [0.01, 1.0, draw.share()] {
+            let ours = of(e).expect("decided");
+            let (stepped, [normal, ..]) = stepper.run(stepper.start(rate, slip, 1.0), e, law);
+            let size = 1.0 + slip.abs() + ours.impulse.normal / stepper.inertia;
+            let (a, b) = (
+                numbers(&ours),
+                [stepped.spin, stepper.contact(&stepped).1, normal],
+            );
+            for (a, b) in [a[0], a[2], a[3]].into_iter().zip(b) {
+                assert!(
+                    (a - b).abs() < 1e-9 * size * size,
+                    "{a} {b} {law} {e}\n{ours:?}"
+                );
+            }
+        }
+        // The coefficient between both: neighbours differ.
+        let (mut low, mut high, mut is_said) = (0.01, 1.0, false);
+        while !is_said && f64::next_up(low) < high {
+            let middle = 0.5 * (low + high);
+            match of(middle) {
+                Ok(found) if stops(&found) => high = middle,
+                Ok(_) => low = middle,
+                Err(_) => is_said = true,
+            }
+        }
+        if !is_said {
+            // The rotation ends just with the impact.
+            let [low, high] = [low, high].map(|e| of(e).expect("decided"));
+            assert!(
+                (low.impulse.normal - high.impulse.normal).abs() < 1e-12,
+                "{low:?}\n{high:?}"
+            );
+            continue;
+        }
+        seen[usize::from(law.code())] += 1;
+    }
+    assert!(seen.iter().all(|count| *count > 3), "{seen:?}");
+}
+
 /// Asserts the laws of contact, of friction and of restitution of an impact.
 fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
     let (slip, closing) = (found.before.slip, -found.before.gap_rate);
@@ -800,17 +977,29 @@ fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
     let least = f64::from_bits(1);
     let most = hoop.mu_s() * (impulse.normal * (1.0 + 8.0 * f64::EPSILON) + least) + least;
     assert!(impulse.friction.abs() <= most, "{what}");
-    assert!(found.friction_work <= 0.0, "{what}");
+    assert!(
+        found.friction_work <= 0.0 && found.resistance_work <= 0.0,
+        "{what}"
+    );
+    let turns = before.theta_rate * after.theta_rate > 0.0;
+    let is_resisted = hoop.rolling_resistance() > 0.0 && !turns;
     match found.case {
         ImpactCase::None => {
             assert!(closing == 0.0 && before == after, "{what}");
         }
         ImpactCase::Slides => {
             assert!(after.slip * slip.signum() >= 0.0, "{what}");
-            assert!((after.gap_rate - e * closing).abs() <= least, "{what}");
+            assert!(
+                is_resisted || (after.gap_rate - e * closing).abs() <= least,
+                "{what}"
+            );
         }
-        ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution | ImpactCase::Jams => {
+        ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution => {
             assert!(after.slip == 0.0, "{what}");
+        }
+        ImpactCase::Jams => {
+            let resists = hoop.rolling_resistance() > 0.0;
+            assert!(resists || after.slip == 0.0, "{what}");
         }
         ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
             assert!(after.slip * slip.signum() <= 0.0 || slip == 0.0, "{what}");
@@ -820,7 +1009,7 @@ fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
         assert!((after.gap_rate - e * closing).abs() <= least, "{what}");
     }
     // Without a kink all laws are the same.
-    if law != RestitutionLaw::Newton || found.case == ImpactCase::Slides {
+    if law != RestitutionLaw::Newton || found.case == ImpactCase::Slides && !is_resisted {
         assert!(!found.gains_energy(), "{what}");
     }
 }
@@ -828,10 +1017,15 @@ fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
 /// Hoops of the whole range and velocities from the least number to the largest of a start.
 #[test]
 fn impacts_of_all_sizes_keep_their_laws() {
-    let mut cases = [0_usize; ImpactCase::ALL.len()];
+    let (mut cases, mut segments) = ([0_usize; ImpactCase::ALL.len()], [0_usize; 9]);
     for number in 0..200_000 {
         let mut draw = Draw::of_case(51, 6, number);
         let (hoop, start) = draw.heavy_motion();
+        let hoop = if draw.comes(0.6) {
+            draw.resisted(&hoop)
+        } else {
+            hoop
+        };
         let mut velocity = || {
             let size = draw.of_any_size([-323.3, 6.0]).clamp(5e-324, 1e6);
             if draw.comes(0.5) { -size } else { size }
@@ -857,8 +1051,14 @@ fn impacts_of_all_sizes_keep_their_laws() {
         };
         cases[usize::from(found.case.code())] += 1;
         check_laws(&hoop, &found, e, law);
+        segments[hoop.impact_course(start.theta, &found).len() - 2] += 1;
     }
     assert!(cases.iter().all(|count| *count > 100), "{cases:?}");
+    // An impact has at most four segments.
+    assert!(
+        segments[..4].iter().all(|count| *count > 10) && segments[4] == 0,
+        "{segments:?}"
+    );
 }
 
 proptest! {
@@ -868,7 +1068,7 @@ proptest! {
     fn stepping_in_the_impulse_finds_the_same_impact(
         (m1, offset, inertia) in (0.1..4.0_f64, 0.05..1.0_f64, 0.05..3.0_f64),
         (mu_s, part) in (0.0..1.5_f64, 0.0..=1.0_f64),
-        chi in prop_oneof![1 => Just(0.0), 2 => 0.0..1.0_f64, 2 => 0.0..4.0_f64],
+        chi in chi(),
         theta in -3.2..3.2_f64, rate in prop_oneof![3 => -3.0..3.0_f64, 1 => Just(0.0)],
         slip in prop_oneof![3 => -2.0..2.0_f64, 1 => Just(0.0)],
         closing in 0.05..3.0_f64, e in coefficients(), law in laws(),
@@ -898,11 +1098,13 @@ proptest! {
 
     #[test]
     fn momentum_and_energy_are_balanced_and_friction_keeps_its_limits(
-        hoop in heavy_hoop(), theta in -7.0..7.0_f64, rate in -4.0..4.0_f64,
+        hoop in heavy_hoop(), chi in chi(), theta in -7.0..7.0_f64,
+        rate in prop_oneof![4 => -4.0..4.0_f64, 1 => Just(0.0)],
         slip in prop_oneof![3 => -2.0..2.0_f64, 1 => Just(0.0), 1 => -1e-9..1e-9_f64],
         closing in prop_oneof![4 => 0.0..3.0_f64, 1 => Just(0.0), 1 => 0.0..1e-9_f64],
         e in coefficients(), law in laws(),
     ) {
+        let hoop = resisted(&hoop, chi);
         let state = State::from(Start::at(theta, rate).with_slip(slip));
         let found = impact(&hoop, &state, -closing, e, law);
         let before = kinetic(&hoop, theta, &found.before);
@@ -911,6 +1113,7 @@ proptest! {
         let scale = 1.0 + before + after + (h + 1.0) * found.impulse.normal * found.impulse.normal / inertia;
         prop_assert!((before - after - found.energy_lost()).abs() < 1e-12 * scale, "{found:?}");
         prop_assert!(found.friction_work <= 1e-15 * scale, "{found:?}");
+        prop_assert!(found.resistance_work <= 0.0, "{found:?}");
         prop_assert!(found.impulse.normal >= 0.0 && found.after.gap_rate >= -1e-12 * scale, "{found:?}");
         prop_assert!(found.impulse.friction.abs() <= hoop.mu_s() * found.impulse.normal * (1.0 + 1e-14));
         if law != RestitutionLaw::Newton {
@@ -926,9 +1129,10 @@ proptest! {
 
     #[test]
     fn the_mirror_image_of_an_impact_is_that_of_the_mirror_image(
-        hoop in heavy_hoop(), theta in -7.0..7.0_f64, rate in -4.0..4.0_f64, slip in -2.0..2.0_f64,
+        hoop in heavy_hoop(), chi in chi(), theta in -7.0..7.0_f64, rate in -4.0..4.0_f64, slip in -2.0..2.0_f64,
         closing in 0.0..3.0_f64, e in coefficients(), law in laws(),
     ) {
+        let hoop = resisted(&hoop, chi);
         let ours = impact(&hoop, &State::from(Start::at(theta, rate).with_slip(slip)), -closing, e, law);
         let theirs = impact(&hoop, &State::from(Start::at(-theta, -rate).with_slip(-slip)), -closing, e, law);
         prop_assert_eq!(ours.case, theirs.case);

@@ -5,10 +5,10 @@
 #![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use crate::common::flight::{check_flights, check_landings};
+use crate::common::newton::Sizes;
 use crate::common::{
     heavy_hoop, heavy_motion, instants, massless_hoop, simulate, start, whole_range,
 };
-use crate::consistent_modes::Sizes;
 use littlewood::modes::PhaseSolution;
 use littlewood::theory::{Body, GlidingIntegrals, SlidingLaw};
 use littlewood::{

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import shlex
 import sys
 import warnings
 import webbrowser
@@ -14,13 +15,13 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from .._internal.extras import require
+from ..fitting.fall import Fall, fall_of
 from ..fitting.least_squares import fit
 from ..fitting.problem import OF_HOOP
 from ..fitting.result import FitResult, FitWarning
-from ..fitting.track import Track
+from ..fitting.table_options import LENGTH_UNITS, TIME_UNITS, TableOptions, Words
+from ..fitting.track import Track, track_of_table
 from ..hoop import Hoop
 from ..tables import QUANTITIES, SI_HOOP
 from ..video.plane import Plane
@@ -38,12 +39,22 @@ _GUESSED = ("inertia_kg_m2", "mu_s", "mu_k", "restitution")
 _MU_S, _MU_K = 0.5, 0.3
 _FREE = tuple(name for name in OF_HOOP if name != "slope")
 _TRIES = 3
-# From where a hoop counts as in flight, radii; how many frames tell how it falls, and by which
-# factor it may seem to.
-_IN_FLIGHT = 1.03
-_LEAST_FALL = 6
-_FALL = 1.4
 _QUALITY = 88
+_FLAGS = Words(
+    {
+        "centre": "--centre {}",
+        "marker": "--marker {}",
+        "run": "--run {}",
+        "fps": "--rate {}",
+        "plane": "--point U V X Y, four times or more",
+        "length_unit": "--length-unit {}",
+        "time_unit": "--time-unit {}",
+        "dimensionless": "--dimensionless",
+        "ignore": "--ignore {}",
+    },
+    shlex.quote,
+)
+"""Options of a table as flags of this command."""
 
 
 class MissingAnswerError(ValueError):
@@ -65,38 +76,35 @@ class WrongClockError(ValueError):
 
     Attributes
     ----------
-    gravity : float
-        What the acceleration of free fall would be, over the true one.
+    fall : littlewood.fitting.fall.Fall
+        How it falls.
     """
 
-    def __init__(self, gravity: float, rate: float | None) -> None:
-        meant = (
-            ""
+    def __init__(self, fall: Fall, rate: float | None) -> None:
+        factor = 1.0 + fall.clock
+        remedy = (
+            f"were all times {factor:.3g} times as long"
             if rate is None
-            else f": was the film taken at about {rate / math.sqrt(gravity):.0f} frames a second"
+            else f"was the film taken at about {rate / factor:.3g} frames a second (--rate)"
         )
         super().__init__(
-            f"in flight the mass centre falls with {gravity:.3g} g{meant}, or is the radius "
-            f"another? --rate, --radius-m"
+            f"in flight the mass centre falls with {fall.gravity:.3g} ± {fall.std_error:.1g} g, so "
+            f"the clock is {100.0 * abs(fall.clock):.2g} ± {100.0 * fall.clock_error:.1g} % off: "
+            f"{remedy}, or are all lengths {fall.gravity:.3g} times too large (--radius-m)? "
+            "--any-clock fits it as it is"
         )
-        self.gravity = gravity
+        self.fall = fall
 
 
-def _check_clock(track: Track, hoop: Hoop, rate: float | None) -> None:
-    """Refuse a track whose flights are not those of a body that falls."""
-    if track.theta is None or track.y is None or (track.level and hoop.slope != 0.0):
+def _check_clock(track: Track, hoop: Hoop, rate: float | None, is_any: bool) -> None:
+    """Refuse a track whose flights are not those of a body that falls, or only say so."""
+    fall = fall_of(track, hoop)
+    if fall is None or not fall.is_wrong:
         return
-    height = track.y + hoop.h * np.cos(track.theta)
-    flying = (track.y > _IN_FLIGHT) & np.isfinite(height)
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], flying, [False]]).astype(int)))
-    runs = sorted(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[0] - run[1])
-    if not runs or runs[0][1] - runs[0][0] < _LEAST_FALL:
-        return
-    part = slice(*runs[0])
-    time = track.time[part] - track.time[part].mean()
-    gravity = -2.0 * float(np.polyfit(time, height[part], 2)[0]) / math.cos(hoop.slope)
-    if gravity > 0.0 and not 1.0 / _FALL < gravity < _FALL:
-        raise WrongClockError(gravity, rate)
+    error = WrongClockError(fall, rate)
+    if not is_any:
+        raise error
+    print(f"note: {error}", file=sys.stderr)
 
 
 def _flag(name: str) -> str:
@@ -166,6 +174,11 @@ def _parser() -> argparse.ArgumentParser:
         help=f"what is estimated, of {', '.join(OF_HOOP)} (default: all but slope); the rest is "
         f"held",
     )
+    parser.add_argument(
+        "--any-clock",
+        action="store_true",
+        help="fit also where flights contradict the times",
+    )
     film = parser.add_argument_group("a film")
     film.add_argument(
         "--rate", metavar="HZ", type=_positive, help="frames a second at which it was taken"
@@ -200,13 +213,31 @@ def _parser() -> argparse.ArgumentParser:
         "--centre", metavar="NAME", help="the point that is the centre, in exports that name points"
     )
     table.add_argument(
-        "--run", metavar="N", type=int, help="number of the run, in exports with several"
+        "--run", metavar="N", help="number or name of the run or data set, in exports with several"
     )
     table.add_argument(
         "--length-unit",
         metavar="UNIT",
-        default="m",
-        help="m, cm or mm, in exports that do not say it",
+        choices=LENGTH_UNITS,
+        help=f"{', '.join(LENGTH_UNITS)}, in tables that do not say it",
+    )
+    table.add_argument(
+        "--time-unit",
+        metavar="UNIT",
+        choices=TIME_UNITS,
+        help=f"{', '.join(TIME_UNITS)}, in tables that do not say it",
+    )
+    table.add_argument(
+        "--dimensionless",
+        action="store_true",
+        help="names without units are dimensionless: in radii R, and times in √(R/g)",
+    )
+    table.add_argument(
+        "--ignore",
+        metavar="NAME",
+        action="append",
+        default=[],
+        help="a column that is passed over; may be given several times",
     )
     table.add_argument(
         "--level", action="store_true", help="on a slope: x and y are those of a level camera"
@@ -377,9 +408,7 @@ def _from_film(options: argparse.Namespace, path: Path) -> tuple[FitResult, byte
 
 def _from_table(options: argparse.Namespace, path: Path) -> FitResult:
     hoop = _hoop_of(options)
-    track = Track.from_csv(
-        path,
-        hoop.units,
+    said = TableOptions(
         level=options.level,
         centre=options.centre,
         marker=options.marker,
@@ -387,12 +416,19 @@ def _from_table(options: argparse.Namespace, path: Path) -> FitResult:
         fps=options.rate,
         plane=_plane(options),
         length_unit=options.length_unit,
+        time_unit=options.time_unit,
+        dimensionless=options.dimensionless,
+        ignore=tuple(options.ignore),
+        words=_FLAGS,
     )
+    track = track_of_table(path, hoop.units, said)
+    for note in track.notes:
+        print(f"note: {note}", file=sys.stderr)
     return _fit(options, track, hoop, _has_bar())
 
 
 def _fit(options: argparse.Namespace, track: Track, hoop: Hoop, bar: bool) -> FitResult:
-    _check_clock(track, hoop, options.rate)
+    _check_clock(track, hoop, options.rate, options.any_clock)
     with warnings.catch_warnings():
         # The table has them.
         warnings.simplefilter("ignore", FitWarning)

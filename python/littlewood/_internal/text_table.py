@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
-import csv
 import itertools
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-__all__ = ["NUMBER", "TableFileError", "TextTable", "read_text_table"]
+__all__ = ["NUMBER", "TableFileError", "TextTable", "lines_of"]
 
-_SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas"}
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
+# A comma here may mark the decimals, or the thousands.
+_THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}")
 # A million rows of a dozen cells.
 _MOST_BYTES = 1 << 28
 _MISSING = ("", "nan", "na")
-_KINOVEA = "#Kinovea Trajectory data export"
 # What the first bytes say of files that look like tables to their owners.
 _OTHER_FILES = {
     b"PK": "a spreadsheet or an archive: save the sheet as CSV",
     b"\xd0\xcf\x11\xe0": "a spreadsheet: save the sheet as CSV",
     b"<?xml": "a project or a web page: export the data of its track as text",
+    b"{": "JSON: export the data of the track as CSV",
+    b"\x89HDF": "HDF5: export the data of the track as CSV",
 }
 
 
@@ -63,9 +64,11 @@ class TextTable:
     """A table as it stands in a file.
 
     The line of the names is `head`, `lines` are those of the rows; each cell is a text. `points`
-    are the tracked points of the columns, in exports that name them; else "".
+    are the tracked points of the columns, in exports that name them; else "". `layout` is the name
+    of that which the file has, "" for none in particular.
     """
 
+    layout: str
     path: str
     head: int
     names: list[str]
@@ -110,6 +113,8 @@ class TextTable:
             for mark in ".,":
                 if mark in cell and NUMBER.fullmatch(cell):
                     marks.setdefault(mark, line)
+        if set(marks) == {","}:
+            self._check_decimals(place)
         if len(marks) == 2:
             mark = max(marks, key=lambda one: marks[one])
             line = marks[mark]
@@ -139,57 +144,25 @@ class TextTable:
                 )
         return found
 
+    def _check_decimals(self, place: int) -> None:
+        """Refuse a column whose commas may mark decimals, or thousands; another cell may tell."""
+        cells = [cell for row in self.rows for cell in row if "," in cell]
+        if all(_THOUSANDS.fullmatch(cell) for cell in cells if NUMBER.fullmatch(cell)):
+            k = next(k for k, row in enumerate(self.rows) if _THOUSANDS.fullmatch(row[place]))
+            cell = self.rows[k][place]
+            raise TableFileError(
+                self.path,
+                f"may be {cell.replace(',', '')} or {cell.replace(',', '.')}",
+                line=self.lines[k],
+                column=self.names[place],
+                value=cell,
+                hint="write decimals with a point, and thousands without a mark",
+            )
 
-def read_text_table(path: str | Path) -> TextTable:
-    """Read a table: names in its first line, one row a line; refuse a file that is none.
 
-    Tabs, semicolons, commas or spaces separate the cells, a point or a comma marks decimals; a
-    byte-order mark, quotes, and the lines that Tracker, Kinovea and spreadsheets put before the
-    names are understood.
-    """
-    file = str(path)
-    lines = _text(file, _content(path)).splitlines()
-    if lines and lines[0].startswith(_KINOVEA):
-        return _kinovea(file, lines)
-    head = next(
-        (k for k, line in enumerate(lines) if line.strip() and not line.startswith(("#", "sep="))),
-        None,
-    )
-    if head is None:
-        raise TableFileError(
-            file, "is empty", hint="a table has a line of names, such as time_s,theta_deg,x_m"
-        )
-    # The line of names decides: numbers may have decimal commas.
-    named_points = lines[head][:1] in ("\t", ";", ",")
-    names_at = head + 1 if named_points else head
-    if names_at >= len(lines):
-        raise TableFileError(file, "has no line of names", line=head + 1)
-    separator = lines[head][0] if named_points else _separator(lines[names_at])
-    split = [_cells(line, separator) for line in lines]
-    names = split[names_at]
-    while names and not names[-1]:
-        names = names[:-1]
-    points = [""] * len(names)
-    if named_points:
-        owner = ""
-        for k in range(len(names)):
-            owner = split[head][k] if k < len(split[head]) and split[head][k] else owner
-            points[k] = owner
-        points[0] = ""
-    numbers, rows = [], []
-    for k in range(names_at + 1, len(lines)):
-        row = split[k]
-        if not any(row):
-            continue
-        if len(row) < len(names) or any(row[len(names) :]):
-            reason = f"has {len(row)} cells, the line of names has {len(names)}"
-            hint = f"cells are separated by {_SEPARATORS.get(separator, 'spaces')} here"
-            raise TableFileError(file, reason, line=k + 1, hint=hint)
-        numbers.append(k + 1)
-        rows.append(row[: len(names)])
-    if not rows:
-        raise TableFileError(file, "has no rows after its line of names", line=names_at + 1)
-    return TextTable(file, names_at + 1, names, points, numbers, rows)
+def lines_of(path: str | Path) -> list[str]:
+    """Return the lines of a text file; refuse a file that is none."""
+    return _text(str(path), _content(path)).splitlines()
 
 
 def _content(path: str | Path) -> bytes:
@@ -225,76 +198,3 @@ def _text(file: str, content: bytes) -> str:
             line=line,
             hint="save the file as UTF-8",
         ) from None
-
-
-def _separator(line: str) -> str:
-    """Return what separates the names; a space where nothing else does."""
-    bare = re.sub(r'"[^"]*"', "", line)
-    counts = {one: bare.count(one) for one in _SEPARATORS}
-    best = max(counts, key=lambda one: counts[one])
-    return best if counts[best] else " "
-
-
-def _cells(line: str, separator: str) -> list[str]:
-    if separator == " ":
-        return line.split()
-    return [
-        cell.strip()
-        for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])
-    ]
-
-
-def _kinovea(file: str, lines: list[str]) -> TextTable:
-    """Read Kinovea's text for Gnuplot: T X Y of one trajectory after the other."""
-    cells: dict[str, dict[str, list[str]]] = {}
-    numbers: dict[str, int] = {}
-    point, fresh = "", True
-    for k, line in enumerate(lines[2:], start=3):
-        if line.startswith("#"):
-            point, fresh = line[1:].strip(), False
-            cells[point] = {}
-        elif not line.strip():
-            fresh = True
-        else:
-            if fresh and (not point or cells.get(point)):
-                # Older versions have no names.
-                point = f"Track {len(cells) + 1}"
-                cells[point] = {}
-            fresh = False
-            row = line.split()
-            if len(row) != 3:
-                raise TableFileError(file, f"has {len(row)} cells, not the three T X Y", line=k)
-            if row[0] in cells[point]:
-                hint = "choose milliseconds as the time code of Kinovea"
-                raise TableFileError(
-                    file, "occurs twice", line=k, column="T", value=row[0], hint=hint
-                )
-            cells[point][row[0]] = row[1:]
-            numbers.setdefault(row[0], k)
-    if not numbers:
-        raise TableFileError(file, "has no trajectory")
-    names, points = ["T"], [""]
-    for point in cells:
-        names += ["X", "Y"]
-        points += [point, point]
-    rows = [
-        [at, *(cell for rows in cells.values() for cell in rows.get(at, ["", ""]))]
-        for at in numbers
-    ]
-    order = sorted(range(len(rows)), key=lambda k: _seconds(rows[k][0]))
-    places = list(numbers.values())
-    rows = [[repr(_seconds(rows[k][0])), *rows[k][1:]] for k in order]
-    return TextTable(file, 2, names, points, [places[k] for k in order], rows)
-
-
-def _seconds(text: str) -> float:
-    """Return a time of Kinovea: seconds, or hours, minutes, seconds and hundredths."""
-    parts = text.split(":")
-    try:
-        if len(parts) == 1:
-            return float(text.replace(",", "."))
-        numbers = [float(part) for part in parts]
-    except ValueError:
-        return float("nan")
-    hundredths = numbers.pop() / 100.0 if len(parts) == 4 else 0.0
-    return sum(60.0**k * value for k, value in enumerate(reversed(numbers))) + hundredths

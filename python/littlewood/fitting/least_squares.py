@@ -375,9 +375,9 @@ def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, di
     """
     rest = len(problem.names) - len(problem.camera_names)
     random = np.random.default_rng(0)
-    covariance, _ = _covariance(best.jac)
     low, high = problem.bounds()
-    root = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    # What the track does not tell is anything within about 1, as in `_evidence`.
+    root = np.sqrt(np.diag(np.linalg.inv(_normal(best))))
     guesses = [np.concatenate([other[:rest], best.x[rest:]]) for other in others]
     # Neighbours within a few standard errors, in all directions and by one parameter, which may be
     # of another sequence.
@@ -421,8 +421,12 @@ def _evidence(found: Any) -> float:
 
     Beforehand each unknown is anything within about 1, in the units of the hoop.
     """
-    normal = found.jac.T @ found.jac + np.eye(found.x.size)
-    return -float(found.cost) - 0.5 * float(np.linalg.slogdet(normal)[1])
+    return -float(found.cost) - 0.5 * float(np.linalg.slogdet(_normal(found))[1])
+
+
+def _normal(found: Any) -> Reals:
+    """Return the normal matrix of a fit, with what is known beforehand."""
+    return np.asarray(found.jac.T @ found.jac + np.eye(found.x.size))
 
 
 def _bounds_met(problem: Problem, best: Any, covariance: Reals) -> list[str]:

@@ -35,6 +35,8 @@ LEAST_INERTIA = 1e-6
 _LARGEST_FRICTION = 1e3
 _LARGEST_INERTIA = 1e6
 _STEEPEST = 1.57
+# Largest rate and slip of the start, √(g/R) and √(g R): no film shows a hoop that is as fast.
+_FASTEST = 1e3
 _CAMERA = "camera_"
 _EXPOSURE = "camera_exposure"
 # Bounds of what may be held.
@@ -167,6 +169,8 @@ class Problem:
             "inertia": (LEAST_INERTIA, _LARGEST_INERTIA),
             "restitution": (0.0, 1.0),
             "slope": (-_STEEPEST, _STEEPEST),
+            "start_theta_rate": (-_FASTEST, _FASTEST),
+            "start_slip": (-_FASTEST, _FASTEST),
             _EXPOSURE: (0.0, self._longest),
         }
         pairs = [within.get(name, (-math.inf, math.inf)) for name in self.names]

@@ -23,7 +23,7 @@ from .noise import Noise
 from .problem import Problem
 from .profile import profile_interval
 from .track import Track
-from .track_file import COLUMN_OF
+from .track_columns import COLUMN_OF
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -14,12 +14,13 @@ import numpy.typing as npt
 from .._internal.elementwise import Reals, reals
 from .._internal.text_table import TableFileError
 from .calibration import checked
-from .track_file import PlaneLike, read_track
+from .table_options import PlaneLike, TableOptions
+from .track_file import read_track
 
 if TYPE_CHECKING:
     from ..units import Units
 
-__all__ = ["TableFileError", "Track"]
+__all__ = ["TableFileError", "Track", "track_of_table"]
 
 
 def _column(name: str, values: npt.ArrayLike | None, count: int) -> Reals | None:
@@ -198,10 +199,12 @@ class Track:
         level: bool = False,
         centre: str | None = None,
         marker: str | None = None,
-        run: int | None = None,
+        run: int | str | None = None,
         fps: float | None = None,
         plane: PlaneLike | None = None,
-        length_unit: str = "m",
+        length_unit: str | None = None,
+        time_unit: str | None = None,
+        dimensionless: bool = False,
         ignore: Iterable[str] = (),
     ) -> Track:
         """Read a track from a table of numbers with a line of names.
@@ -213,23 +216,32 @@ class Track:
         path : str or Path
             The file. Its columns are `time`, `theta`, `x`, `y`, or in SI units `time_s`,
             `theta_rad` (or `theta_deg`), `x_m`, `y_m`; an empty cell is a frame in which something
-            was not seen. Exports of Tracker, Kinovea and PASCO Capstone are read as they are.
+            was not seen. Exports of Tracker, Kinovea, PASCO Capstone and Vernier's Logger Pro and
+            Graphical Analysis are read as they are.
         units : Units, optional
-            Those of the hoop; SI columns need them.
+            Those of the hoop; SI columns need them. Names without units are in SI then if the
+            height of the centre says so, and refused if it does not.
         level : bool, optional
             As that of :class:`Track`.
         centre, marker : str, optional
             Names of the points that are the centre of the hoop and the marker of its particle, in
-            exports that name points. A single point is the centre; of two the names may say it
-            ("centre", "marker").
-        run : int, optional
-            Number of the run, in exports with several.
+            exports that name points. A single point is the centre, unless its name says marker; of
+            two the names may say it ("centre", "marker").
+        run : int or str, optional
+            Number or name of the run or data set, in exports with several.
         fps : float, optional
-            Rate at which frames were taken, 1/s, in files that have their numbers and no times.
+            Rate at which frames were taken, 1/s. Files that have numbers of frames and no times
+            need it; the rows of others must be a frame apart.
         plane : littlewood.video.Plane, optional
             The plane of the motion in a frame: the positions are in pixels.
         length_unit : {"m", "cm", "mm"}, optional
-            Unit of positions in exports of Tracker and Kinovea, whose files do not have it.
+            Unit of positions whose names do not have it; m by default if the sizes agree with the
+            radius of the hoop.
+        time_unit : {"s", "ms", "us", "frame"}, optional
+            Unit of times whose names do not have it. Kinovea writes any of them by its
+            preferences, and needs it, or `fps`, which tells it; others are in s.
+        dimensionless : bool, optional
+            Whether names without units are dimensionless although the hoop has units.
         ignore : iterable of str, optional
             Columns to pass over. Velocities and other quantities that are computed from the track
             are passed over anyhow; any other unknown column is refused.
@@ -244,22 +256,19 @@ class Track:
             With file, line, column, value and hint, for what cannot be read: nothing is left out in
             silence.
         """
-        found = read_track(
-            path,
-            units,
+        options = TableOptions(
+            level=level,
             centre=centre,
             marker=marker,
             run=run,
             fps=fps,
             plane=plane,
             length_unit=length_unit,
-            ignore=ignore,
+            time_unit=time_unit,
+            dimensionless=dimensionless,
+            ignore=tuple(ignore),
         )
-        if not found.is_si or units is None:
-            return cls(found.time, found.theta, found.x, found.y, level=level)
-        return cls.from_si(
-            units, time_s=found.time, theta_rad=found.theta, x_m=found.x, y_m=found.y, level=level
-        )
+        return track_of_table(path, units, options)
 
     @property
     def channels(self) -> dict[str, Reals]:
@@ -282,3 +291,19 @@ class Track:
         errors = self.errors and {name: values[frames] for name, values in self.errors.items()}
         theta, x, y = (kept.get(name) for name in ("theta", "x", "y"))
         return replace(self, time=self.time[frames], theta=theta, x=x, y=y, errors=errors)
+
+
+def track_of_table(path: str | Path, units: Units | None, options: TableOptions) -> Track:
+    """Read a track from a table, as :meth:`Track.from_csv` does."""
+    found = read_track(path, units, options)
+    if not found.is_si or units is None:
+        return Track(found.time, found.theta, found.x, found.y, level=options.level)
+    track = Track.from_si(
+        units,
+        time_s=found.time,
+        theta_rad=found.theta,
+        x_m=found.x,
+        y_m=found.y,
+        level=options.level,
+    )
+    return replace(track, notes=found.notes)

@@ -12,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from .._internal.elementwise import Reals, reals
-from .._internal.text_table import NUMBER, TableFileError, TextTable, read_text_table
+from .._internal.table_layouts import read_text_table
+from .._internal.text_table import NUMBER, TableFileError, TextTable
 
 if TYPE_CHECKING:
     from ..units import Units
@@ -260,7 +261,7 @@ def _wanted(table: TextTable, names: list[str], units: Units | None) -> list[str
         hint = "all must be of one kind"
         raise table.refusal(reason, column=has_si[0], hint=hint)
     if has_si and units is None:
-        hint = "make the hoop by Hoop.from_si"
+        hint = f"a hoop with units reads it; for this one write {','.join(_COLUMNS)}"
         raise table.refusal("is in SI units, and the hoop has none", column=has_si[0], hint=hint)
     rates = _SI_RATES if has_si else _RATES
     wanted = [

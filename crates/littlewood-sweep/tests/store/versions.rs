@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use littlewood::tables::PhaseSequence;
+use littlewood::tables::{PhaseSequence, SummaryColumn};
 use littlewood_sweep::{
     ForeignVersion, Options, Report, STORE_FORMAT, StoreError, SweepError, Target, ZarrStore,
     sweep_grid,
@@ -51,6 +51,16 @@ fn edit(header: &Path, edit: impl Fn(&mut Value)) {
 
 fn remove(value: &mut Value, key: &str) {
     value.as_object_mut().unwrap().remove(key).unwrap();
+}
+
+/// A store has the columns of its version. Who adds one raises `STORE_FORMAT`, and writes both here.
+#[test]
+fn the_format_is_that_of_the_columns() {
+    let columns = SummaryColumn::ALL.map(SummaryColumn::name).join(" ");
+    let of_version_5 = "outcome sequence transitions painleve end_time end_theta end_theta_rate \
+        end_slip end_x energy first_slip_time lift_off_time jump_length jump_height landings \
+        impact_energy_lost settle_time";
+    assert_eq!((STORE_FORMAT, columns.as_str()), (5, of_version_5));
 }
 
 #[test]

@@ -263,3 +263,31 @@ impl ErrorModel {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::number::Number as _;
+    use crate::model::{Hoop, Start};
+    use crate::modes::TakeOff;
+
+    /// The state at the end of a phase is rounded, also where the one at its start is exact.
+    #[test]
+    fn a_flight_from_an_exact_state_has_the_rounding_of_a_phase() {
+        let hoop = Hoop::equal_masses(0.5, 0.4).expect("a hoop");
+        let body = hoop.rigid_body();
+        let model = ErrorModel::new(&body, hoop.mu_s());
+        for (theta, theta_rate) in [(0.5, 1.0), (-2.0, -0.3), (1.0, 0.0)] {
+            let start = Start::at(theta, theta_rate).state();
+            let flight = Flight::new(&body, start, TakeOff::Rising { gap_rate: 0.5 });
+            let mut bound = ErrorBound::Exact;
+            bound.add_flight(&model, &flight, &start, theta.angle(), 0.5);
+            let ErrorBound::Within(error) = bound else {
+                panic!("{bound:?}");
+            };
+            assert!(error.theta >= model.phase, "{error:?}");
+            assert!(error.rate >= model.phase, "{error:?}");
+            assert!(error.gap_rate >= model.phase, "{error:?}");
+        }
+    }
+}

@@ -4,8 +4,8 @@
 //! are other solutions of the same equations ([`model`]): slides are followed in the angle
 //! ([`slide`]), those out of rolling interpolated ([`slip_slides`]), rolling along its orbit
 //! ([`roll`]). What depends on the hoop alone is kept, and chains of slips are passed by whole links
-//! ([`chain`]). A phase that these do not resolve to
-//! rounding is left to the solvers of the simulation, for a reason that is counted ([`Fallback`]).
+//! ([`chain`]). A phase that these do not resolve to rounding is left to the solvers of the
+//! simulation, for a reason that is counted ([`Fallback`]).
 
 mod builder;
 mod chain;
@@ -71,8 +71,9 @@ const MIN_CHAIN_TRANSITIONS: usize = 256;
 /// within 10⁻⁹ of the end of contact or slip, relative to the terms, is solved by the simulation;
 /// and after landings the numbers that decide an impact are taken to be larger than the accumulated
 /// error of the state, which is at most 10⁻⁴. Ends of slides out of rolling are interpolated to
-/// rounding; that no other event comes before is proved for each of them. The tests compare hundreds of thousands of motions
-/// with their simulations; no proof excludes a motion that violates this.
+/// rounding; that no other event comes before is proved for each of them. The tests
+/// (`tests/promise.rs`, `tests/engine.rs`) compare hundreds of thousands of motions with their
+/// simulations; no proof excludes a motion that violates this.
 /// [`EngineBuilder::interpolate_slips`] promises less.
 ///
 /// ```

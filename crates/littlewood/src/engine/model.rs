@@ -2,9 +2,10 @@
 
 use crate::mechanics::solvability::is_solvable;
 use crate::mechanics::{RollingLaw, SlidingLaw};
-use crate::model::{Body, Heavy, Hoop, SlipDirection};
+use crate::model::{Body, Heavy, Hoop, SlipDirection, weight_of_slides};
 use crate::modes::rolling::HalfAngleOrbit;
 
+use super::error_bound::ErrorModel;
 use super::fallback::{Fallback, FallbackCounts};
 use super::orbit::OrbitPoint;
 use super::roll::{self, MarginTables, Margins, RollEnd, margins_of};
@@ -22,6 +23,9 @@ pub(super) struct HoopModel {
     sliding: [[SlidingLaw; 2]; 2],
     pub(super) rolling: RollingLaw,
     pub(super) margins: Margins,
+    pub(super) error_model: ErrorModel,
+    /// What a unit of the length of a slide counts.
+    pub(super) slide_weight: f64,
     /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
     pub(super) is_solvable: bool,
     slide_tables: SlideTables,
@@ -58,6 +62,8 @@ impl HoopModel {
             }),
             rolling: RollingLaw::of(hoop),
             margins: margins_of(hoop, 1.0)?,
+            error_model: ErrorModel::new(&body, hoop.mu_s()),
+            slide_weight: weight_of_slides(hoop),
             is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
             slide_tables: SlideTables::default(),
             slip_slides: SlipSlides::are_interpolated(hoop).then(SlipSlides::default),

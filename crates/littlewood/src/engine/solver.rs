@@ -22,7 +22,7 @@ use crate::walk::{
 };
 
 use super::chain::{LinkSolver, SlipMapValue, SlipMaps, SlipPoint};
-use super::error_bound::{DecisiveNumber, ErrorBound, ErrorModel, is_out_of_range};
+use super::error_bound::{DecisiveNumber, ErrorBound, is_out_of_range};
 use super::fallback::Fallback;
 use super::jump;
 use super::model::{HoopModel, SlideStart};
@@ -53,7 +53,6 @@ pub(super) struct FastSolver<'a> {
     phases_before_caching: u32,
     /// Phases in contact so far.
     phases: Cell<u32>,
-    error_model: ErrorModel,
     /// In a cell, since [`Solver`] has no state but this, the count of phases, and the next.
     error: Cell<ErrorBound>,
     interpolates_slides: bool,
@@ -116,7 +115,6 @@ impl<'a> FastSolver<'a> {
             phases_before_links: 0,
             phases_before_caching: 0,
             phases: Cell::new(0),
-            error_model: ErrorModel::new(&model.body, hoop.mu_s()),
             error: Cell::new(ErrorBound::Exact),
             interpolates_slides: false,
             has_slipped: Cell::new(false),
@@ -187,7 +185,7 @@ impl<'a> FastSolver<'a> {
     }
 
     fn add_phase_error(&self, end: &State) {
-        self.with_error(|error| error.add_phase(&self.error_model, end.theta));
+        self.with_error(|error| error.add_phase(&self.model.error_model, end.theta));
     }
 
     /// What the error tells of a decision. Where it does not, the simulation may decide otherwise.
@@ -213,7 +211,7 @@ impl<'a> FastSolver<'a> {
             value: contact_margin,
             scale,
         };
-        self.is_certain(|error| error.resolves_forces(&self.error_model, margin))
+        self.is_certain(|error| error.resolves_forces(&self.model.error_model, margin))
     }
 
     fn is_in_time(&self, state: &State, elapsed: f64) -> bool {
@@ -337,7 +335,9 @@ impl<'a> FastSolver<'a> {
                 theta: place.state.theta,
                 rate: place.state.theta_rate,
             };
-            ForceRounding::new(law, &point, place.angle).clears(&forces, self.hoop.mu_s())
+            let mu_s = self.hoop.mu_s();
+            excess.abs() > ForceRounding::bound(law, &point, effective_inertia, mu_s)
+                || ForceRounding::new(law, &point, place.angle).clears(&forces, mu_s)
         };
         let stiction = match arrival {
             Arrival::Start | Arrival::InContact | Arrival::RollingLimit(_)
@@ -588,6 +588,10 @@ impl Solver for FastSolver<'_> {
         self.hoop
     }
 
+    fn slide_weight(&self) -> f64 {
+        self.model.slide_weight
+    }
+
     fn until(&self) -> f64 {
         self.exact.until()
     }
@@ -777,7 +781,13 @@ impl Solver for FastSolver<'_> {
         if let Some(restitution) = self.hoop.restitution() {
             let coefficient = restitution.coefficient();
             self.with_error(|error| {
-                error.add_flight(&self.error_model, &flight, &state, place.angle, coefficient);
+                error.add_flight(
+                    &self.model.error_model,
+                    &flight,
+                    &state,
+                    place.angle,
+                    coefficient,
+                );
             });
         }
         let end = if self.is_in_time(&state, duration) {

@@ -55,11 +55,12 @@ const TURN: [f64; 3] = [
 
 /// An angle up to 1e9 modulo 2π, in [−π, π].
 pub(crate) fn without_turns(theta: f64) -> f64 {
-    let turns = (theta / TAU).round_ties_even();
+    let turns = theta / TAU;
     // Preserves the sign of −0.
-    if turns == 0.0 {
+    if turns.abs() <= 0.5 {
         theta
     } else {
+        let turns = turns.round_ties_even();
         TURN.iter().fold(theta, |rest, part| rest - turns * part)
     }
 }

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::mechanics::closed_form::slip_angle;
 use crate::mechanics::region::PhasePlane;
-use crate::model::{Body, SlipDirection};
+use crate::model::{Body, RotationDirection, SlipDirection};
 
 /// A part of a plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -154,11 +154,24 @@ impl PhasePlane {
     /// The graphs ±rate(θ).
     fn graph(&self, window: &Window, rate: &dyn Fn(f64) -> Option<f64>) -> Vec<Vec<Point>> {
         // Where D = 0, at θ = ±π without inertia, nothing is defined.
+        let directions = [RotationDirection::Positive, RotationDirection::Negative];
+        let pieces = |rotation| self.graph_of(window, rotation, rate);
+        directions.into_iter().flat_map(pieces).collect()
+    }
+
+    /// The part of it with one sign of θ′.
+    fn graph_of(
+        &self,
+        window: &Window,
+        rotation: RotationDirection,
+        rate: &dyn Fn(f64) -> Option<f64>,
+    ) -> Vec<Vec<Point>> {
         let inside = |theta: f64| self.law.denominator(theta) > 1e-12;
-        let curve =
-            |theta: f64, sign: f64| Some([theta, sign * rate(theta).filter(|_| inside(theta))?]);
-        let pieces = |sign: f64| window.pieces(window.x, CELLS, &|theta| curve(theta, sign));
-        [1.0, -1.0].into_iter().flat_map(pieces).collect()
+        let curve = |theta: f64| {
+            let rate = rate(theta).filter(|_| inside(theta))?;
+            Some([theta, rotation.sign() * rate])
+        };
+        window.pieces(window.x, CELLS, &curve)
     }
 
     /// The angles of all turns in a window that are one of these in one turn.
@@ -245,8 +258,15 @@ impl PhasePlane {
     /// The rates between which bounces grow out of rolling; empty on a level plane.
     pub fn reverse_chatter_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         let edge = |end: usize| {
-            let rate = move |theta: f64| self.reverse_chatter_rates(theta).map(|rates| rates[end]);
-            self.graph(window, &|theta| rate(theta).filter(|rate| *rate > 0.0))
+            let part = |rotation| {
+                let rates = |theta: f64| self.reverse_chatter_rates(theta, rotation);
+                let rate = |theta: f64| rates(theta).map(|rates| rates[end]);
+                self.graph_of(window, rotation, &|theta| {
+                    rate(theta).filter(|rate| *rate > 0.0)
+                })
+            };
+            let directions = [RotationDirection::Positive, RotationDirection::Negative];
+            directions.map(part).concat()
         };
         [edge(0), edge(1)].concat()
     }

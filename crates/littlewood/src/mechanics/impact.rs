@@ -18,10 +18,10 @@ use thiserror::Error;
 
 use crate::math::number::Number;
 use crate::math::trig::Angle;
-use crate::mechanics::resisted_impact::{ContactParts, ResistedContact};
+use crate::mechanics::resisted_impact::ResistedContact;
 use crate::model::{
-    Body, Friction, Heavy, Hoop, Margin, Restitution, RestitutionLaw, SlipDirection, State,
-    Undecided, getters, named,
+    Body, Friction, Heavy, Hoop, Margin, Restitution, RestitutionLaw, RotationDirection,
+    SlipDirection, State, Undecided, getters, named,
 };
 
 /// The impulse of the plane on the body, in m2 √(gR).
@@ -73,7 +73,8 @@ named! {
         /// Slip reverses in restitution.
         ReversesInRestitution = 5, "reverses_in_restitution" => "reverses in restitution";
         /// P ≤ 0 (Painlevé): during slip the normal impulse closes the gap, which opens only after
-        /// slip has ended.
+        /// slip has ended; with rolling resistance also without slip, where D_χ ≤ 0, and until the
+        /// rotation has ended.
         Jams = 6, "jams" => "jams";
     }
 }
@@ -448,9 +449,16 @@ impl Contact {
         Self::of(body, hoop.friction(), theta.angle())
     }
 
-    /// The slopes of an impact that begins with slip in this direction; `None` where the slip does
-    /// not end in a stick.
-    pub(crate) fn sticking(&self, direction: SlipDirection) -> Option<Sticking> {
+    /// The slopes of an impact that begins with slip in this direction, of a hoop that turns on in
+    /// another; `None` where the slip does not end in a stick.
+    pub(crate) fn sticking(
+        &self,
+        direction: SlipDirection,
+        rotation: RotationDirection,
+    ) -> Option<Sticking> {
+        if let Some(resisted) = &self.resisted {
+            return resisted.sticking(direction, rotation);
+        }
         let slipping = self.slope(direction);
         let braking = -direction.sign() * slipping.slip;
         (braking > 0.0 && self.after_slip == AfterSlip::Sticks).then_some(Sticking {
@@ -463,12 +471,9 @@ impl Contact {
 
 impl<T: Number> Contact<T> {
     /// The contact of a body at an angle.
-    pub(crate) fn of(body: &Heavy<T>, friction: Friction<T>, Angle { sin, cos }: Angle<T>) -> Self {
-        let Friction {
-            mu_s,
-            mu_k,
-            rolling_resistance,
-        } = friction;
+    pub(crate) fn of(body: &Heavy<T>, friction: Friction<T>, angle: Angle<T>) -> Self {
+        let Angle { sin, cos } = angle;
+        let Friction { mu_s, mu_k, .. } = friction;
         let (mass, h_sin, height) = (body.mass, body.h * sin, body.h * cos + 1.0);
         let slope = |friction: T, spin: T| Slope {
             friction,
@@ -519,16 +524,7 @@ impl<T: Number> Contact<T> {
             slope_rounding: sizes.rounding_of_slope(mu_k),
             at_rest,
             after_slip,
-            resisted: (rolling_resistance.value() > 0.0).then(|| {
-                ResistedContact::of(ContactParts {
-                    mass,
-                    inertia: body.inertia,
-                    arm: h_sin,
-                    height,
-                    friction,
-                    reach: sizes.reach,
-                })
-            }),
+            resisted: ResistedContact::new(body, friction, angle),
         }
     }
 

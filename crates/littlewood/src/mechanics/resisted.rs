@@ -32,6 +32,11 @@ impl<T: Number> ResistedRollingLaw<T> {
         }
     }
 
+    /// Whether the hoop has no inertia: its force of contact then passes the particle.
+    pub(crate) fn is_massless(&self) -> bool {
+        self.rolling.mass_inertia.value() == 0.0
+    }
+
     /// Dχ.
     pub(crate) fn denominator_of(&self, angle: Angle<T>) -> T {
         let drag = self.resistance * (self.rolling.offset * angle.sin);

@@ -16,9 +16,11 @@
 
 use crate::math::bounded::Bounded;
 use crate::math::number::Number;
-use crate::mechanics::impact::{ContactVelocities, Impact, ImpactCase, Impulse, Slope};
+use crate::math::trig::Angle;
+use crate::mechanics::impact::{ContactVelocities, Impact, ImpactCase, Impulse, Slope, Sticking};
 use crate::model::{
-    Friction, Margin, Restitution, RestitutionLaw, RotationDirection, SlipDirection, Undecided,
+    Friction, Heavy, Margin, Restitution, RestitutionLaw, RotationDirection, SlipDirection,
+    Undecided,
 };
 
 /// Most pieces of an impact: its segments are cut where the gap rate vanishes, which it does at
@@ -34,8 +36,6 @@ pub(crate) struct ResistedContact<T = f64> {
     arm: T,
     height: T,
     friction: Friction<T>,
-    /// J.
-    about_contact: T,
     /// 1 + h |cos θ|, the sum of the sizes of the terms of d.
     reach: f64,
 }
@@ -142,36 +142,42 @@ impl<T: Number> Followed<T> {
     }
 }
 
-/// The parts of a contact, from which its coefficients are computed.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ContactParts<T> {
-    pub(super) mass: T,
-    pub(super) inertia: T,
-    pub(super) arm: T,
-    pub(super) height: T,
-    pub(super) friction: Friction<T>,
-    pub(super) reach: f64,
+impl ResistedContact {
+    /// [`Contact::sticking`](crate::mechanics::Contact::sticking).
+    pub(super) fn sticking(
+        &self,
+        direction: SlipDirection,
+        rotation: RotationDirection,
+    ) -> Option<Sticking> {
+        let slides = self.slides(direction, rotation).slope;
+        let then = self.without_slip(rotation, &mut |_, _| ());
+        let braking = -direction.sign() * slides.slip;
+        let opens = then.slope.gap_rate > 0.0;
+        (braking > 0.0 && then.slip.is_none() && opens).then_some(Sticking {
+            in_slip: slides.gap_rate,
+            in_stick: then.slope.gap_rate,
+            braking,
+        })
+    }
 }
 
 impl<T: Number> ResistedContact<T> {
-    pub(super) fn of(parts: ContactParts<T>) -> Self {
-        let ContactParts {
-            mass,
-            inertia,
-            arm,
-            height,
+    /// The contact of a body at an angle; `None` without rolling resistance.
+    pub(super) fn new(body: &Heavy<T>, friction: Friction<T>, angle: Angle<T>) -> Option<Self> {
+        let level = body.h * angle.cos;
+        (friction.rolling_resistance.value() > 0.0).then(|| Self {
+            mass: body.mass,
+            inertia: body.inertia,
+            arm: body.h * angle.sin,
+            height: level + 1.0,
             friction,
-            reach,
-        } = parts;
-        Self {
-            mass,
-            inertia,
-            arm,
-            height,
-            friction,
-            about_contact: inertia + mass * height * height,
-            reach,
-        }
+            reach: 1.0 + level.value().abs(),
+        })
+    }
+
+    /// J.
+    fn about_contact(&self) -> T {
+        self.inertia + self.mass * self.height * self.height
     }
 
     /// The same contact with bounds of its rounding.
@@ -188,7 +194,7 @@ impl<T: Number> ResistedContact<T> {
             rolling_resistance,
         } = self.friction;
         // 1 of m, 5 of Î, 2 of h and 2 of its factor, 1 of their product and 1 of the sum.
-        ResistedContact::of(ContactParts {
+        ResistedContact {
             mass: own(self.mass, 1.0),
             inertia: own(self.inertia, 5.0),
             arm: own(self.arm, 5.0),
@@ -199,7 +205,7 @@ impl<T: Number> ResistedContact<T> {
                 rolling_resistance: exact(rolling_resistance),
             },
             reach: self.reach,
-        })
+        }
     }
 
     pub(super) const fn rolling_resistance(&self) -> T {
@@ -257,7 +263,7 @@ impl<T: Number> ResistedContact<T> {
         watch: &mut impl FnMut(Margin, T),
     ) -> Segment<T> {
         let Friction { mu_s, mu_k, .. } = self.friction;
-        let spin = self.arm_of(rotation) / self.about_contact;
+        let spin = self.arm_of(rotation) / self.about_contact();
         let friction = -(self.mass * self.height * spin);
         let excess = friction.abs() - mu_s;
         if mu_k.value() < mu_s.value() {
@@ -303,7 +309,7 @@ impl<T: Number> ResistedContact<T> {
         let slope = segment.slope.gap_rate * self.mass;
         Some(match segment.slip {
             Some(_) => (Margin::Painleve, slope * self.inertia),
-            None => (Margin::ResistedDenominator, slope * self.about_contact),
+            None => (Margin::ResistedDenominator, slope * self.about_contact()),
         })
     }
 
@@ -322,7 +328,7 @@ impl<T: Number> ResistedContact<T> {
         let turns = first.rotation.map(RotationDirection::sign);
         let (lever, holds) = (
             (self.mass * self.height).value(),
-            self.about_contact.value(),
+            self.about_contact().value(),
         );
         let [weak, strong] =
             [-1.0, 1.0].map(|part| lever * (arm.abs() + part * rolling_resistance.value()));
@@ -555,7 +561,14 @@ enum PieceEnd<T> {
     /// The gap rate vanishes.
     Turn { impulse: T },
     /// The impact ends.
-    Impact { impulse: T, opening: T },
+    Impact(Ending<T>),
+}
+
+/// The end of an impact.
+struct Ending<T> {
+    impulse: T,
+    /// The gap rate after it.
+    opening: T,
 }
 
 /// An impact on its way.
@@ -618,7 +631,7 @@ impl<'a, T: Number> Course<'a, T> {
                     self.opens = !self.opens;
                     self.ends = self.ends.after(impulse);
                 }
-                PieceEnd::Impact { impulse, opening } => {
+                PieceEnd::Impact(Ending { impulse, opening }) => {
                     self.push(impulse, opening);
                     break;
                 }
@@ -715,10 +728,10 @@ impl<'a, T: Number> Course<'a, T> {
                 self.watch_fall(turns, watch);
             }
             let most = turn.value().min(length.value());
-            if let Some((impulse, opening)) = self.end(slope)
-                && impulse.value() <= most
+            if let Some(ending) = self.end(slope)
+                && ending.impulse.value() <= most
             {
-                return PieceEnd::Impact { impulse, opening };
+                return PieceEnd::Impact(ending);
             }
         }
         if turns {
@@ -728,48 +741,59 @@ impl<'a, T: Number> Course<'a, T> {
         }
     }
 
-    /// The impulse after which the law of restitution ends the impact, if the slope of the gap rate
-    /// stays, and the gap rate then; `None` if it does not.
-    fn end(&self, slope: T) -> Option<(T, T)> {
+    /// The end of the impact by the law of restitution, if the slope of the gap rate stays; `None` if
+    /// it does not end.
+    fn end(&self, slope: T) -> Option<Ending<T>> {
         let e = self.restitution.coefficient;
         let (rate, closing) = (self.now.gap_rate, -self.before.gap_rate);
         let begins = rate.value() == 0.0 && self.restituted.impulse.value() == 0.0;
+        let to = |opening: T| Ending {
+            impulse: (opening - rate) / slope,
+            opening,
+        };
+        let at_once = |opening: T| Ending {
+            impulse: T::constant(0.0),
+            opening,
+        };
         if begins && self.is_first {
             // Without a kink all laws agree.
-            let opening = e * closing;
-            return Some((opening / slope, opening));
+            return Some(to(e * closing));
         }
-        let zero = T::constant(0.0);
         match self.restitution.law {
             RestitutionLaw::Energetic if begins => {
-                let opening = e * (self.compression.work * -2.0 * slope).sqrt();
-                Some((opening / slope, opening))
+                Some(to(e * (self.compression.work * -2.0 * slope).sqrt()))
             }
             RestitutionLaw::Energetic => {
                 let left = -(e * e * self.compression.work) - self.restituted.work;
                 let square = rate * rate + slope * 2.0 * left;
                 if left.value() <= 0.0 {
-                    return Some((zero, rate));
+                    return Some(at_once(rate));
                 }
-                if square.value() < 0.0 {
-                    return None;
-                }
-                let opening = square.sqrt();
-                Some((left * 2.0 / (rate + opening), opening))
+                (square.value() >= 0.0).then(|| {
+                    let opening = square.sqrt();
+                    Ending {
+                        impulse: left * 2.0 / (rate + opening),
+                        opening,
+                    }
+                })
             }
             RestitutionLaw::Poisson => {
                 let left = e * self.compression.impulse - self.restituted.impulse;
-                if left.value() <= 0.0 {
-                    return Some((zero, rate));
-                }
-                Some((left, rate + slope * left))
+                Some(if left.value() <= 0.0 {
+                    at_once(rate)
+                } else {
+                    Ending {
+                        impulse: left,
+                        opening: rate + slope * left,
+                    }
+                })
             }
             RestitutionLaw::Newton => {
                 let opening = e * closing;
                 if rate.value() >= opening.value() {
-                    return Some((zero, opening));
+                    return Some(at_once(opening));
                 }
-                (slope.value() > 0.0).then(|| ((opening - rate) / slope, opening))
+                (slope.value() > 0.0).then(|| to(opening))
             }
         }
     }

@@ -174,6 +174,12 @@ impl<T: Number> Bounces<T> {
             };
             let run = ResistedRun::new(run, now.theta_rate, &followed);
             let r = run.run.ratio.value();
+            if !r.is_finite() {
+                // Only the end of the rotation ends the impact.
+                return Err(NoSettling::Grows {
+                    ratio: f64::INFINITY,
+                });
+            }
             if run.number == f64::INFINITY && 1.0 - r <= RATIO_ROUNDING {
                 return Err(NoSettling::Grows { ratio: r });
             }

@@ -84,9 +84,6 @@ impl Hoop {
     }
 
     pub(crate) fn check(&self, start: Start) -> Result<State, ParameterError> {
-        if matches!(self.body(), Body::Massless(_)) {
-            self.check_built()?;
-        }
         let state = start.check()?;
         match self.body() {
             Body::Massless(_) if start.gap_rate > 0.0 => Err(ParameterError::MasslessFlight {

@@ -140,6 +140,17 @@ pub const EDGES: &[Edge] = {
         Massless: Some(Rolling), NormalForceZero, Some(Gliding) => "theta'^2 = 1, growing", "N = F = 0", "(3.8), 3(d)";
         Massless: Some(Gliding), Stick, Some(Rolling) => "eta' = 0 inside R", "eta' = 0", "(3.10), 3(e)";
         Massless: Some(Gliding), Reversal, Some(Gliding) => "eta' = 0 outside R", "sigma = -sigma", "3(e)";
+        Massless: Some(Rolling), TurningPoint, Some(Rest) => "theta' = 0 and |l sin(theta) + (1 + l cos(theta)) tan(alpha)| <= chi", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Rolling), TurningPoint, Some(Rolling) => "theta' = 0 outside the band of rest", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Rolling), TurningPoint, Some(Gliding) => "theta' = 0, and friction gives way", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Rolling), TurningPoint, Some(Skidding) => "theta' = 0 and |tan(alpha)| > mu_s", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Gliding), TurningPoint, Some(Gliding) => "theta' = 0", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Gliding), TurningPoint, Some(Skidding) => "theta' = 0 and |l sin(theta) - sigma mu_k (1 + l cos(theta))| <= chi", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Gliding), Stick, None => "eta' = 0 and D_chi < 0", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Skidding), Stick, Some(Rest) => "eta' = 0 and |l sin(theta) + (1 + l cos(theta)) tan(alpha)| <= chi", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Skidding), Stick, Some(Rolling) => "eta' = 0 outside the band of rest", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Skidding), Reversal, Some(Skidding) => "eta' = 0 and |tan(alpha)| > mu_s", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Skidding), Reversal, Some(Gliding) => "eta' = 0, and friction gives way", "eta' = 0", "docs/theory/rolling-resistance.md";
         Massless: Some(Gliding), ParticleAtPlane, None => "theta = +-pi, l = 1", "none", "(3.20)";
         Massless: Some(Gliding), ParticleAtBottom, None => "theta = +-pi, l < 1", "none", "(3.20)";
         Massless: Some(Gliding), ParticleAtTop, None => "theta = 0 with l sin(theta) theta' not 0", "none", "(3.18)";

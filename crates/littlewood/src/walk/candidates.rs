@@ -187,6 +187,9 @@ impl NextMotion {
                     &exact_inputs(hoop, &body, state, arrival),
                 ),
             },
+            Body::Massless(body) if hoop.rolling_resistance() > 0.0 => {
+                resisted::massless(hoop, &body, state, arrival)
+            }
             Body::Massless(body) => massless(hoop, &body, state, arrival),
         }
     }
@@ -601,10 +604,6 @@ pub(crate) fn net_slip_force(
 
 fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> NextMotion {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
-    let u = theta_rate * theta_rate;
-    let (sin, cos) = libm::sincos(theta);
-    let forces = RollingLaw::of(hoop).forces(theta, theta_rate);
-    let contact_margin = contact(1.0, body.offset, cos * u);
     let at_rest = state.slip == 0.0;
     let may_roll = match arrival {
         Arrival::Start | Arrival::InContact | Arrival::Held(_) => at_rest,
@@ -623,6 +622,9 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     match limit {
         Some(MasslessLimit::Rolls) => return NextMotion::Roll { on_limit: true },
         Some(MasslessLimit::Undecided) => {
+            let forces = RollingLaw::of(hoop).forces(theta, theta_rate);
+            let cos_u = libm::sincos(theta).1 * (theta_rate * theta_rate);
+            let contact_margin = contact(1.0, body.offset, cos_u);
             return NextMotion::Several(Box::new(Candidates {
                 rolling: true,
                 gliding: true,
@@ -637,6 +639,21 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
             }
         }
     }
+    glide(hoop, body, state, arrival, limit)
+}
+
+/// The glide from a state of a massless hoop that does not roll.
+pub(crate) fn glide(
+    hoop: &Hoop,
+    body: &Massless,
+    state: &State,
+    arrival: Arrival,
+    limit: Option<MasslessLimit>,
+) -> NextMotion {
+    let (sin, cos) = libm::sincos(state.theta);
+    let u = state.theta_rate * state.theta_rate;
+    let contact_margin = contact(1.0, body.offset, cos * u);
+    let at_rest = state.slip == 0.0;
     // At the top a glide requires the acceleration of free fall: ℓ̂ θ′² = 1.
     let falls_freely =
         || cos > 0.0 && contact_margin.abs() <= contact_rounding(body.offset, cos, u);
@@ -669,5 +686,6 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
         };
         return NextMotion::Glide { body: *body, entry };
     }
+    let forces = RollingLaw::of(hoop).forces(state.theta, state.theta_rate);
     NextMotion::None(Box::new(Candidates::none(forces, contact_margin, [0.0; 2])))
 }

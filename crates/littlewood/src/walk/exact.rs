@@ -385,11 +385,16 @@ impl Solver for Exact<'_> {
 
     fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         let allowed = self.allowed(state);
-        let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
+        let (glide, end) = Gliding::run(body, self.hoop.friction(), *state, entry, allowed);
         let end = match end {
             GlidingEnd::Rest { state, presses } => PhaseEnd::Rest {
                 point: state,
                 arrival: Arrival::GlideAtRest { presses },
+            },
+            GlidingEnd::TurningPoint(point) => PhaseEnd::Event {
+                point,
+                cause: Cause::TurningPoint,
+                arrival: Arrival::Held(Held::NOTHING),
             },
             GlidingEnd::Bottom(state) if body.offset < 1.0 => Self::ended(
                 Cause::ParticleAtBottom,

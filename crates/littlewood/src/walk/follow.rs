@@ -7,8 +7,7 @@
 use crate::math::trig::Angle;
 use crate::mechanics::{Contact, ContactVelocities, Impact, MarginAtTop, Settling};
 use crate::model::{
-    Body, Heavy, Hoop, Limits, MAX_COORDINATE, Mode, Quantity, SlipDirection, State,
-    length_of_slide, weight_of_slides,
+    Body, Heavy, Limits, MAX_COORDINATE, Mode, Quantity, SlipDirection, State, length_of_slide,
 };
 use crate::modes::{Margin, RollingLimit, SlideLimit, TakeOff, Undecided};
 use crate::walk::proofs::Period;
@@ -174,16 +173,16 @@ struct MotionEnd {
 /// The limits of a motion, and what it has used of them.
 struct Budget<'a> {
     limits: &'a Limits,
-    slide_cost_factor: f64,
+    slide_weight: f64,
     transitions: usize,
     slide_cost: f64,
 }
 
 impl<'a> Budget<'a> {
-    fn new(hoop: &Hoop, limits: &'a Limits) -> Self {
+    const fn new(slide_weight: f64, limits: &'a Limits) -> Self {
         Self {
             limits,
-            slide_cost_factor: weight_of_slides(hoop),
+            slide_weight,
             transitions: 0,
             slide_cost: 0.0,
         }
@@ -193,7 +192,7 @@ impl<'a> Budget<'a> {
     fn add(&mut self, mode: Option<Mode>, start: &State, end: &State) {
         self.transitions += 1;
         if mode == Some(Mode::Sliding) {
-            self.slide_cost += self.slide_cost_factor * length_of_slide(start, end);
+            self.slide_cost += self.slide_weight * length_of_slide(start, end);
         }
     }
 
@@ -229,7 +228,7 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
         return outcome.into();
     }
     let mut log = EventLog::new(recorder);
-    let mut budget = Budget::new(solver.hoop(), limits);
+    let mut budget = Budget::new(solver.slide_weight(), limits);
     loop {
         skip_links(solver, &mut cursor, log.recorder, &mut proofs, &mut budget);
         let (phase_start, mode) = (T::state(&cursor.point), cursor.next.mode());
@@ -277,7 +276,7 @@ fn skip_periods<T: Solver, R: Recorder<T::Solution>>(
     }
     let state = T::state(&cursor.point);
     let transitions_left = budget.limits.transitions.saturating_sub(budget.transitions);
-    let slide_cost = budget.slide_cost_factor * period.slide_length;
+    let slide_cost = budget.slide_weight * period.slide_length;
     let slide_cost_left = budget.limits.slides as f64 - budget.slide_cost;
     // Whatever ends the motion lies behind what is skipped, by more than rounding.
     let times = [
@@ -386,7 +385,7 @@ pub(crate) fn next_slip<T: Solver>(
             return Some(NextSlip {
                 state: T::state(&cursor.point),
                 direction,
-                slide_cost: weight_of_slides(solver.hoop()) * log.recorder.slide_length,
+                slide_cost: solver.slide_weight() * log.recorder.slide_length,
             });
         }
     }

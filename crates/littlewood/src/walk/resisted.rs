@@ -12,10 +12,13 @@ use crate::math::series::Series;
 use crate::math::trig::Angle;
 use crate::mechanics::{HeldLaw, ResistedRollingLaw, SlidingLaw, slip_acceleration_at_rest};
 use crate::model::{
-    Composition, Heavy, Hoop, Margin, Mode, RotationDirection, SlipDirection, State, Undecided,
+    Body, Composition, Heavy, Hoop, Margin, Massless, Mode, RotationDirection, SlipDirection,
+    State, Undecided,
 };
 use crate::modes::{Entry, PhasePoint, RollingLimit, RollingSeries, SlideSeries, TakeOff};
-use crate::walk::candidates::{Arrival, Candidates, ContactMargin, NextMotion, contact_margin};
+use crate::walk::candidates::{
+    Arrival, Candidates, ContactMargin, NextMotion, contact_margin, glide,
+};
 
 /// Highest order of a series that decides where the lower ones are rounding.
 const HIGHEST_ORDER: usize = 6;
@@ -199,18 +202,43 @@ pub(crate) fn next_motion(
     if matches!(arrival, Arrival::RollingLimit(_)) {
         tried.retain(|one| !one.motion.holds().slip);
     }
-    let flies = trial.contact.lifts_off;
-    match (arrival, &tried[..]) {
-        (Arrival::Start, _) | (_, [] | [_]) => {}
-        // A motion that arrives goes on holding what it held.
-        (arrival, _) => {
-            let held = arrival.held();
-            if tried.iter().any(|one| one.motion.holds().shares(held)) {
-                tried.retain(|one| one.motion.holds().shares(held));
-            }
-        }
+    let (flies, arrives) = (trial.contact.lifts_off, arrival != Arrival::Start);
+    if arrives {
+        keep_held(&mut tried, arrival);
     }
-    trial.selected(body, &tried, flies, arrival != Arrival::Start)
+    trial.selected(body, &tried, flies, arrives)
+}
+
+/// The motion that begins at a state of a massless hoop: it glides where nothing else is
+/// consistent.
+pub(crate) fn massless(
+    hoop: &Hoop,
+    body: &Massless,
+    state: &State,
+    arrival: Arrival,
+) -> NextMotion {
+    let rigid = hoop.rigid_body();
+    let trial = Trial::new(hoop, &rigid, state);
+    let mut tried = trial.modes();
+    if matches!(arrival, Arrival::RollingLimit(_)) {
+        tried.clear();
+    }
+    if arrival != Arrival::Start {
+        keep_held(&mut tried, arrival);
+    }
+    if tried.is_empty() {
+        glide(hoop, body, state, arrival, None)
+    } else {
+        trial.selected(&rigid, &tried, false, true)
+    }
+}
+
+/// A motion that arrives goes on holding what it held.
+fn keep_held(tried: &mut Vec<Tried>, arrival: Arrival) {
+    let is_held = |one: &Tried| one.motion.holds().shares(arrival.held());
+    if tried.iter().any(is_held) {
+        tried.retain(is_held);
+    }
 }
 
 impl<'a> Trial<'a> {
@@ -266,7 +294,9 @@ impl<'a> Trial<'a> {
         if holds {
             tried.extend(slips.iter().map(|direction| self.skid(*direction)));
         }
-        for direction in slips {
+        // A massless hoop that slips and turns glides, without a force.
+        let slides = matches!(self.hoop.body(), Body::Heavy(_));
+        for direction in slips.into_iter().filter(|_| slides) {
             tried.extend(
                 rotations
                     .iter()

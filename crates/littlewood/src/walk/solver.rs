@@ -1,7 +1,7 @@
 //! What the loop over phases asks of a [`Solver`], and gives to a [`Recorder`].
 
 use crate::mechanics::{Impact, Settling};
-use crate::model::{Heavy, Hoop, Massless, Mode, SlipDirection, State};
+use crate::model::{Heavy, Hoop, Massless, Mode, SlipDirection, State, weight_of_slides};
 use crate::modes::{Entry, Flight, GlideEntry, TakeOff};
 use crate::walk::{Arrival, Cause, Event, NextMotion, Outcome, PhaseSequence, ResistedMotion};
 
@@ -33,6 +33,10 @@ pub(crate) trait Solver {
     const SKIPS_PERIODS: bool = false;
 
     fn hoop(&self) -> &Hoop;
+    /// What a unit of the length of a slide counts.
+    fn slide_weight(&self) -> f64 {
+        weight_of_slides(self.hoop())
+    }
     /// The time limit of the motion, or infinity.
     fn until(&self) -> f64;
     fn point(&self, state: State) -> Self::Point;

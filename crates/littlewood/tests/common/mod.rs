@@ -3,6 +3,7 @@
 
 pub(crate) mod dd;
 pub(crate) mod flight;
+pub(crate) mod newton;
 
 use std::f64::consts::PI;
 
@@ -190,4 +191,23 @@ pub(crate) fn simulate(hoop: &Hoop, start: Start) -> Trajectory {
 pub(crate) fn instants(duration: f64, count: u32) -> impl Iterator<Item = f64> {
     let duration = if duration.is_finite() { duration } else { 20.0 };
     (0..=count + 1).map(move |i| duration * f64::from(i) / f64::from(count + 1))
+}
+
+/// Pseudo-random starts that do not depend on a library: a linear congruence.
+pub(crate) fn random_starts(count: usize) -> impl Iterator<Item = Start> {
+    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut uniform = move || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    (0..count).map(move |i| {
+        let start = Start::at(PI * (2.0 * uniform() - 1.0), 8.0 * uniform() - 4.0);
+        if i % 2 == 0 {
+            start
+        } else {
+            start.with_slip(4.0 * uniform() - 2.0)
+        }
+    })
 }

@@ -93,7 +93,7 @@ struct RollingPoint {
 #[derive(Clone, Copy, Debug)]
 enum Event {
     TurningPoint,
-    Slip(SlipDirection),
+    Limit(RollingLimit),
 }
 
 /// What a step leads to.
@@ -271,7 +271,7 @@ impl ResistedRolling {
         let all = [
             &series.theta_rate,
             &series.normal,
-            &series.friction,
+            &series.demand[1],
             &series.denominator,
         ];
         let reach = convergence_radius(&series.theta_rate, all, max_step(self.steps.len()));
@@ -287,12 +287,16 @@ impl ResistedRolling {
     ) -> Option<(f64, Event)> {
         let slip = |direction: SlipDirection| {
             let margin = series.margin(self.mu_s, direction.sign());
-            (margin, Event::Slip(direction))
+            (margin, Event::Limit(RollingLimit::Friction(direction)))
         };
         let [back, forth] = SlipDirection::ALL.map(slip);
+        // Otherwise friction gives way before N vanishes.
+        let unloads = self.law.is_massless();
+        let unloaded = unloads.then_some((series.normal, Event::Limit(RollingLimit::NormalForce)));
         let ahead = series.theta_rate.map(|c| self.direction.sign() * c);
         let crossings = [back, forth, (ahead, Event::TurningPoint)]
             .into_iter()
+            .chain(unloaded)
             .filter_map(|(mut margin, event)| {
                 if is_first {
                     // Rolling begins where friction holds, and θ′ does not vanish: on a limit, but
@@ -312,10 +316,7 @@ impl ResistedRolling {
                 theta_rate: 0.0,
                 ..state
             }),
-            Event::Slip(direction) => ResistedEnd::Limit {
-                state,
-                limit: RollingLimit::Friction(direction),
-            },
+            Event::Limit(limit) => ResistedEnd::Limit { state, limit },
         }
     }
 

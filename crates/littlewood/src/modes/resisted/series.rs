@@ -11,7 +11,9 @@ pub(crate) struct RollingSeries<T = f64> {
     pub(crate) theta: Series<T>,
     pub(crate) theta_rate: Series<T>,
     pub(crate) normal: Series<T>,
-    pub(crate) friction: Series<T>,
+    /// Two numbers in the ratio of N to F: the forces, or the arms d and ς χ − a of a massless hoop,
+    /// whose forces vanish together.
+    pub(crate) demand: [Series<T>; 2],
     /// Dχ.
     pub(crate) denominator: Series<T>,
 }
@@ -30,7 +32,7 @@ impl<T: Number> RollingSeries<T> {
             theta: zero,
             theta_rate: zero,
             normal: zero,
-            friction: zero,
+            demand: [zero; 2],
             denominator: zero,
         };
         let (mut sin, mut cos, mut u, mut acceleration) = (zero, zero, zero, zero);
@@ -77,16 +79,26 @@ impl<T: Number> RollingSeries<T> {
             let [sin_turn, lever_turn] =
                 convolve([(&sin, &acceleration), (&lever, &acceleration)], n);
             s.normal[n] = mass * one - offset * (sin_turn + cos_u);
-            s.friction[n] = offset * sin_u - lever_turn + mass * rolling.tilt * one;
+            s.demand[1][n] = if law.is_massless() {
+                law.resistance * one - offset * sin[n]
+            } else {
+                offset * sin_u - lever_turn + mass * rolling.tilt * one
+            };
+        }
+        if law.is_massless() {
+            s.demand[0] = lever;
+            return s;
         }
         let forces = law.forces(angle, rate * rate);
-        (s.normal[0], s.friction[0]) = (forces.normal, forces.friction);
+        (s.normal[0], s.demand[1][0]) = (forces.normal, forces.friction);
+        s.demand[0] = s.normal;
         s
     }
 
     /// μs N + σ F, which vanishes where a slip in the direction σ begins.
     pub(crate) fn margin(&self, mu_s: T, sigma: f64) -> Series<T> {
-        core::array::from_fn(|n| mu_s * self.normal[n] + self.friction[n] * sigma)
+        let [normal, friction] = &self.demand;
+        core::array::from_fn(|n| mu_s * normal[n] + friction[n] * sigma)
     }
 }
 

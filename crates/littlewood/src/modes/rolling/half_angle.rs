@@ -77,7 +77,8 @@ impl ReducedAngle {
     /// Of an angle, from half of it.
     pub(crate) fn new(angle: f64, half: Angle) -> Self {
         let mut turn = (angle / TAU).floor();
-        let flip = if turn.rem_euclid(2.0) == 0.0 {
+        let half_turn = 0.5 * turn;
+        let flip = if half_turn == half_turn.floor() {
             1.0
         } else {
             -1.0
