@@ -349,11 +349,6 @@ impl Elliptic {
             twice_kinetic,
             ..
         } = self.orbit;
-        let point = |x, y, twice_kinetic| OrbitPoint {
-            x,
-            y,
-            twice_kinetic,
-        };
         let arc = |from, to, sin_width, pass| {
             Some(OrbitArc {
                 from,
@@ -362,8 +357,8 @@ impl Elliptic {
                 pass,
             })
         };
-        let here = point(-z, y, twice_kinetic);
-        let bottom = point(0.0, 1.0, twice_kinetic + four_l * z * z);
+        let here = OrbitPoint::new(-z, y, twice_kinetic);
+        let bottom = OrbitPoint::new(0.0, 1.0, twice_kinetic + four_l * z * z);
         let past_bottom = z >= 0.0;
         // From here to an end of the arc, over the bottom if that is ahead.
         let first = |to: OrbitPoint, sin_width: f64| {
@@ -379,7 +374,7 @@ impl Elliptic {
         let arcs = match self.kind {
             OrbitKind::Rest => [None; 4],
             OrbitKind::Rotation => {
-                let top = |x: f64| point(x, 0.0, energy.separatrix_gap);
+                let top = |x: f64| OrbitPoint::new(x, 0.0, energy.separatrix_gap);
                 let [a, b] = first(top(-1.0), y);
                 // On the separatrix there is no next turn.
                 let again = |from, to, sin_width| {
@@ -395,7 +390,7 @@ impl Elliptic {
             OrbitKind::Libration => {
                 let k = (energy.beta / four_l).sqrt();
                 let height = (energy.separatrix_gap / four_l).sqrt();
-                let turn = |x: f64| point(x, height, 0.0);
+                let turn = |x: f64| OrbitPoint::new(x, height, 0.0);
                 let [a, b] = first(turn(-k), twice_kinetic / (four_l * (k * y + height * z)));
                 let back = |from, to| arc(from, to, k, OrbitPass::WayBack);
                 [a, b, back(turn(-k), bottom), back(bottom, turn(k))]
@@ -520,6 +515,14 @@ struct OrbitPoint {
 }
 
 impl OrbitPoint {
+    const fn new(x: f64, y: f64, twice_kinetic: f64) -> Self {
+        Self {
+            x,
+            y,
+            twice_kinetic,
+        }
+    }
+
     const fn direction(&self) -> HalfAngle {
         [self.x, self.y]
     }
