@@ -15,7 +15,7 @@ impl Point {
         Self { x, y }
     }
 
-    /// Both numbers, as rows of series and labels have them.
+    /// Both numbers, as labels have them.
     pub const fn row(self) -> [f64; 2] {
         [self.x, self.y]
     }
@@ -24,6 +24,13 @@ impl Point {
 impl From<[f64; 2]> for Point {
     fn from([x, y]: [f64; 2]) -> Self {
         Self { x, y }
+    }
+}
+
+/// As a row of a series.
+impl From<Point> for Vec<f64> {
+    fn from(point: Point) -> Self {
+        point.row().to_vec()
     }
 }
 

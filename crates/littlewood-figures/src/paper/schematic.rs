@@ -25,6 +25,7 @@ const THETA: f64 = 0.8;
 /// Where its centre stands.
 const X: f64 = 2.1;
 const CENTRE: Point = Point::new(X, 1.0);
+const ORIGIN: Point = Point::new(0.0, 0.0);
 /// Where the arrow of gravity begins.
 const GRAVITY: Point = Point::new(3.45, 2.1);
 /// Length of the horizontal at a slope.
@@ -44,30 +45,34 @@ struct Drawing {
     y: [f64; 2],
 }
 
+const fn at(x: f64, y: f64) -> Point {
+    Point { x, y }
+}
+
 /// A place so far from the centre along the radius of the particle, and so far across it.
 fn on_radius(distance: f64, across: f64) -> Point {
     let (sin, cos) = libm::sincos(THETA);
     let [x, y] = [X - distance * sin, 1.0 + distance * cos];
-    Point::new(x + across * cos, y + across * sin)
+    at(x + across * cos, y + across * sin)
 }
 
 /// The arc of a circle about the centre.
 fn arc(radius: f64, from: f64, to: f64) -> impl Iterator<Item = Point> {
     (0..=ARC).map(move |i| {
         let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / f64::from(ARC));
-        Point::new(CENTRE.x - radius * sin, CENTRE.y + radius * cos)
+        at(CENTRE.x - radius * sin, CENTRE.y + radius * cos)
     })
 }
 
 /// So far below the place of gravity, as the paper has it.
 fn beside_gravity(slope: f64, length: f64) -> Point {
-    let along = tilted(-slope, Point::new(0.0, -length));
-    Point::new(GRAVITY.x + along.x, GRAVITY.y + along.y)
+    let along = tilted(-slope, at(0.0, -length));
+    at(GRAVITY.x + along.x, GRAVITY.y + along.y)
 }
 
 impl Drawing {
     fn line(&mut self, name: &str, from: Point, to: Point, mark: impl Into<Mark>) {
-        let series = Series::of_rows(name, &COLUMNS, [from, to].map(Point::row));
+        let series = Series::of_rows(name, &COLUMNS, [from, to]);
         self.layers.push(series.drawn(mark));
     }
 
@@ -77,7 +82,7 @@ impl Drawing {
 
     fn point(&mut self, name: &str, at: Point, mark: Mark) {
         self.layers
-            .push(Series::of_rows(name, &COLUMNS, [at.row()]).drawn(mark));
+            .push(Series::of_rows(name, &COLUMNS, [at]).drawn(mark));
     }
 
     /// A text so far from a place, in pixels.
@@ -93,38 +98,24 @@ impl Drawing {
         let ground = Series::of_rows("ground", &COLUMNS, ground);
         self.layers.push(ground.drawn(Mark::Hatch(HATCH)));
         let plane = Stroke::solid(INK, 1.4);
-        self.line(
-            "ground",
-            Point::new(left, 0.0),
-            Point::new(right, 0.0),
-            plane,
-        );
+        self.line("ground", at(left, 0.0), at(right, 0.0), plane);
         let dotted = Stroke::solid(SOFT, FINE).dashed(Dash::Dashed);
-        self.line("normal", Point::new(X, 0.0), Point::new(X, 2.38), dotted);
+        self.line("normal", at(X, 0.0), at(X, 2.38), dotted);
         let radius = Stroke::solid(INK, CURVE);
         self.line("radius", CENTRE, on_radius(offset, 0.0), radius);
         self.arrow("e2", CENTRE, on_radius(1.55, 0.0), CURVE);
         self.arrow("e1", CENTRE, on_radius(0.0, UNIT), CURVE);
-        self.arrow("E1", Point::new(0.0, 0.0), Point::new(UNIT, 0.0), CURVE);
-        self.arrow("E2", Point::new(0.0, 0.0), Point::new(0.0, UNIT), CURVE);
-        let theta = Series::of_rows(
-            "theta",
-            &COLUMNS,
-            arc(UNIT, 0.0, THETA - 0.04).map(Point::row),
-        );
+        self.arrow("E1", ORIGIN, at(UNIT, 0.0), CURVE);
+        self.arrow("E2", ORIGIN, at(0.0, UNIT), CURVE);
+        let theta = Series::of_rows("theta", &COLUMNS, arc(UNIT, 0.0, THETA - 0.04));
         self.layers
             .push(theta.drawn(Mark::Arrow(Stroke::solid(INK, 1.0))));
         self.arrow("gravity", GRAVITY, beside_gravity(slope, 0.6), CURVE);
-        self.arrow("x", Point::new(0.0, -0.36), Point::new(X, -0.36), 1.0);
+        self.arrow("x", at(0.0, -0.36), at(X, -0.36), 1.0);
         let thin = Stroke::solid(INK, FINE);
-        self.line("x foot", Point::new(X, 0.0), Point::new(X, -0.46), thin);
-        self.line(
-            "x origin",
-            Point::new(0.0, 0.0),
-            Point::new(0.0, -0.46),
-            thin,
-        );
-        let rim = Series::of_rows("rim", &COLUMNS, arc(1.0, 0.0, 2.0 * PI).map(Point::row));
+        self.line("x foot", at(X, 0.0), at(X, -0.46), thin);
+        self.line("x origin", ORIGIN, at(0.0, -0.46), thin);
+        let rim = Series::of_rows("rim", &COLUMNS, arc(1.0, 0.0, 2.0 * PI));
         self.layers.push(rim.drawn(Stroke::solid(SOFT, BOLD)));
     }
 
@@ -157,18 +148,18 @@ impl Drawing {
         self.label("*m*_{2}", on_radius(offset, 0.0), -18.0, -2.0);
         self.labels
             .push(rim.shifted(8.0, -6.0).left().coloured(SOFT));
-        self.label("*X*_{P}", Point::new(X, 0.0), 14.0, 17.0);
+        self.label("*X*_{P}", at(X, 0.0), 14.0, 17.0);
         let middle = arc(UNIT, 0.5 * THETA, 0.5 * THETA).next();
         self.label("*θ*", middle.unwrap_or(CENTRE), -3.0, -11.0);
         self.label("`e`_{2}", on_radius(1.55, 0.0), -4.0, -10.0);
         self.label("`e`_{1}", on_radius(0.0, UNIT), 12.0, -5.0);
-        self.label("`E`_{1}", Point::new(UNIT, 0.0), 4.0, -13.0);
-        self.label("`E`_{2}", Point::new(0.0, UNIT), 0.0, -12.0);
-        self.label("*O*", Point::new(0.0, 0.0), -12.0, 12.0);
+        self.label("`E`_{1}", at(UNIT, 0.0), 4.0, -13.0);
+        self.label("`E`_{2}", at(0.0, UNIT), 0.0, -12.0);
+        self.label("*O*", ORIGIN, -12.0, 12.0);
         self.label("`g`", beside_gravity(slope, 0.3), 11.0, 0.0);
-        self.label("*x*", Point::new(0.5 * X, -0.36), 0.0, 0.0);
+        self.label("*x*", at(0.5 * X, -0.36), 0.0, 0.0);
         self.label("*ℓ*", on_radius(0.5 * offset, -OF_OFFSET), -9.0, 7.0);
-        let radius = Point::new(X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0));
+        let radius = at(X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0));
         self.label("*R*", radius, 6.0, -10.0);
     }
 
@@ -176,19 +167,16 @@ impl Drawing {
     fn slope(&mut self, slope: f64) {
         let apex = self.x[usize::from(slope < 0.0)];
         let reach = f64::min(SLOPE, -self.y[0] / libm::sin(slope).abs());
-        let at = |share: f64, angle: f64| {
-            let along = tilted(
-                -angle,
-                Point::new(libm::copysign(share * reach, slope), 0.0),
-            );
-            Point::new(apex + along.x, along.y)
+        let beside = |share: f64, angle: f64| {
+            let along = tilted(-angle, at(libm::copysign(share * reach, slope), 0.0));
+            at(apex + along.x, along.y)
         };
         let dotted = Stroke::solid(SOFT, FINE).dashed(Dash::Dashed);
-        self.line("horizontal", Point::new(apex, 0.0), at(1.0, slope), dotted);
-        let arc = (0..=ARC).map(|i| at(0.7, slope * f64::from(i) / f64::from(ARC)).row());
+        self.line("horizontal", at(apex, 0.0), beside(1.0, slope), dotted);
+        let arc = (0..=ARC).map(|i| beside(0.7, slope * f64::from(i) / f64::from(ARC)));
         let arc = Series::of_rows("slope", &COLUMNS, arc);
         self.layers.push(arc.drawn(Stroke::solid(INK, 1.0)));
-        self.label("*α*", at(0.82, 0.5 * slope), 0.0, 0.0);
+        self.label("*α*", beside(0.82, 0.5 * slope), 0.0, 0.0);
     }
 }
 
@@ -228,11 +216,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         drawing.length("h", h, OF_H);
     }
     // The radius R, to the right.
-    let rim = Point::new(X + libm::sin(2.0), 1.0 + libm::cos(2.0));
+    let rim = at(X + libm::sin(2.0), 1.0 + libm::cos(2.0));
     drawing.arrow("R", CENTRE, rim, 1.0);
     drawing.point("C", CENTRE, Mark::Dot(INK, 2.8));
     drawing.point("particle", on_radius(offset, 0.0), Mark::Dot(INK, 6.5));
-    drawing.point("contact", Point::new(X, 0.0), Mark::Dot(INK, 2.8));
+    drawing.point("contact", at(X, 0.0), Mark::Dot(INK, 2.8));
     drawing.names(slope, offset);
     if has_two {
         let mass_centre = on_radius(h, 0.0);

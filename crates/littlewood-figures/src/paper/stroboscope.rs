@@ -164,11 +164,11 @@ fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries) -> 
     // As long as a radius, where a camera has its right upper corner.
     let (right, up) = (picture.x[1], picture.y[1] - 0.25);
     let ends =
-        [right - 1.2, right - 0.2].map(|right| tilted(-picture.slope, Point::new(right, up)).row());
+        [right - 1.2, right - 0.2].map(|right| tilted(-picture.slope, Point::new(right, up)));
     let bar = Series::of_rows("scale of forces", &[X, Y], ends);
     picture.layers.push(bar.drawn(Stroke::solid(INK, BOLD)));
     let text = picture.say.quantity(radius, Dimension::Force);
-    let label = Label::new(text, &ends[0]).right().shifted(-6.0, 0.0);
+    let label = Label::new(text, &ends[0].row()).right().shifted(-6.0, 0.0);
     picture.labels.push(label.sized(SMALL));
     true
 }
