@@ -9,6 +9,7 @@ use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Phase, Sample, SlipDirection,
     Start, State, Trajectory, Transition,
 };
+use littlewood_random::Draw;
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 
@@ -496,4 +497,216 @@ fn rotations_downhill_approach_the_periodic_one() {
             close(later.theta_rate, now.theta_rate, 1e-8);
         }
     }
+}
+
+#[test]
+fn what_all_but_lasts_for_ever_is_a_limit() {
+    let disc = |mu: f64, chi: f64| {
+        let parameters = HoopParameters::thin(1.0)
+            .with_offset(0.0)
+            .with_inertia(0.5)
+            .with_friction(mu, mu)
+            .with_rolling_resistance(chi);
+        Hoop::new(parameters).expect("a valid hoop")
+    };
+    let skids = simulate(
+        &disc(1e-300, 0.1),
+        Start::at(0.0, 0.0).with_slip(1.0),
+        Limits::default(),
+    );
+    let rolls = simulate(&disc(0.5, 1e-300), Start::at(0.0, 1.0), Limits::default());
+    for motion in [skids, rolls] {
+        assert_eq!(motion.outcome().kind(), OutcomeKind::StepLimit);
+    }
+}
+
+/// The signs of η′ and θ′ in a mode of contact.
+type Signs = [f64; 2];
+
+/// θ″, η″, N, F and M of a mode, by elimination with pivots from the balances of the mass centre and
+/// the two laws of friction; none where they hardly determine them.
+fn solved(hoop: &Hoop, start: &Start, [slips, turns]: Signs) -> Option<[f64; 5]> {
+    let (m, h) = (hoop.mass(), hoop.h());
+    let inertia = hoop.body().inertia_about_mass_centre();
+    let (sin, cos) = start.theta.sin_cos();
+    let (along, down) = hoop.slope().sin_cos();
+    let (u, d) = (start.theta_rate * start.theta_rate, 1.0 + h * cos);
+    let mut rows = [
+        [-m * d, m, 0.0, -1.0, 0.0, -m * (h * sin * u + along)],
+        [-m * h * sin, 0.0, -1.0, 0.0, 0.0, m * (h * cos * u - down)],
+        [inertia, 0.0, -h * sin, -d, -1.0, 0.0],
+        [0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    ];
+    if slips != 0.0 {
+        rows[3] = [0.0, 0.0, slips * hoop.mu_k(), 1.0, 0.0, 0.0];
+    }
+    if turns != 0.0 {
+        rows[4] = [0.0, 0.0, turns * hoop.rolling_resistance(), 0.0, 1.0, 0.0];
+    }
+    for k in 0..5 {
+        let best = (k..5).max_by(|i, j| rows[*i][k].abs().total_cmp(&rows[*j][k].abs()))?;
+        rows.swap(k, best);
+        let pivot = rows[k];
+        if pivot[k].abs() < NEGLIGIBLE {
+            return None;
+        }
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = row[k] / pivot[k];
+            for (number, more) in row.iter_mut().zip(pivot) {
+                *number -= factor * more;
+            }
+        }
+    }
+    Some(std::array::from_fn(|k| rows[k][5] / rows[k][k]))
+}
+
+/// Margins that are less tell nothing in numbers of the order of one.
+const NEGLIGIBLE: f64 = 1e-6;
+
+/// Whether a mode is consistent: its forces obey their laws, and a velocity that is zero leaves zero
+/// with its sign. None where a margin is negligible.
+fn is_consistent(hoop: &Hoop, start: &Start, signs: Signs) -> Option<bool> {
+    let [turn, slip, normal, friction, couple] = solved(hoop, start, signs)?;
+    let [slips, turns] = signs;
+    let mut margins = vec![normal];
+    match (slips, start.slip) {
+        (0.0, _) => margins.push(hoop.mu_s() * normal - friction.abs()),
+        (sign, 0.0) => margins.push(sign * slip),
+        _ => {}
+    }
+    match (turns, start.theta_rate) {
+        (0.0, _) => margins.push(hoop.rolling_resistance() * normal - couple.abs()),
+        (sign, 0.0) => margins.push(sign * turn),
+        _ => {}
+    }
+    let is_told = margins.iter().all(|margin| margin.abs() > NEGLIGIBLE);
+    is_told.then(|| margins.iter().all(|margin| *margin > 0.0))
+}
+
+/// The modes that may follow, flight as none: of those that are consistent the ones that no other
+/// excludes by keeping at zero all that they keep, and more.
+fn possible(hoop: &Hoop, start: &Start) -> Option<Vec<Option<Signs>>> {
+    let signs = |velocity: f64| {
+        if velocity == 0.0 {
+            vec![0.0, 1.0, -1.0]
+        } else {
+            vec![velocity.signum()]
+        }
+    };
+    let mut modes: Vec<Signs> = Vec::new();
+    for slips in signs(start.slip) {
+        for turns in signs(start.theta_rate) {
+            if is_consistent(hoop, start, [slips, turns])? {
+                modes.push([slips, turns]);
+            }
+        }
+    }
+    let kept = |mode: &Signs| mode.map(|sign| sign == 0.0);
+    let exceeds = |a: &Signs, b: &Signs| {
+        let (a, b) = (kept(a), kept(b));
+        a != b && (0..2).all(|k| a[k] || !b[k])
+    };
+    let rests = |mode: &&Signs| !modes.iter().any(|other| exceeds(other, mode));
+    let mut left: Vec<Option<Signs>> = modes.iter().filter(rests).copied().map(Some).collect();
+    let (cos, rate) = (start.theta.cos(), start.theta_rate);
+    let rises = hoop.h() * cos * rate * rate - hoop.slope().cos();
+    if rises.abs() < NEGLIGIBLE {
+        return None;
+    }
+    if rises > 0.0 {
+        left.push(None);
+    }
+    Some(left)
+}
+
+#[test]
+fn the_motion_that_follows_a_state_is_that_of_the_balances() {
+    let mut counts = [0; 3];
+    for case in 0..20_000 {
+        let mut draw = Draw::of_case(54, 0, case);
+        let parameters = HoopParameters::thin(libm::exp10(draw.between([-3.0, 0.5])))
+            .with_offset(draw.between([0.05, 1.0]))
+            .with_inertia(libm::exp10(draw.between([-3.0, 0.5])))
+            .with_rolling_resistance(libm::exp10(draw.between([-2.0, 0.7])));
+        let mu = libm::exp10(draw.between([-1.5, 0.5]));
+        let parameters =
+            parameters
+                .with_friction(mu, mu * draw.share())
+                .with_slope(if draw.comes(0.5) {
+                    0.0
+                } else {
+                    draw.between([-1.2, 1.2])
+                });
+        let hoop = Hoop::new(parameters).expect("a valid hoop");
+        let mut or_zero = |size: f64| {
+            if draw.comes(0.4) {
+                0.0
+            } else {
+                draw.between([-size, size])
+            }
+        };
+        let (rate, slip) = (or_zero(3.0), or_zero(1.5));
+        let start = Start::at(draw.between([-PI, PI]), rate).with_slip(slip);
+        let Some(modes) = possible(&hoop, &start) else {
+            continue;
+        };
+        let motion = simulate(&hoop, start, Limits::until(1e-9).with_transitions(1));
+        let context = || {
+            format!(
+                "{case}: {modes:?}, {:?} {hoop:?} {start:?}",
+                motion.outcome()
+            )
+        };
+        counts[modes.len().min(2)] += 1;
+        let first = motion.phases().first();
+        match &modes[..] {
+            [] => assert_eq!(
+                motion.outcome().kind(),
+                OutcomeKind::Inconsistent,
+                "{}",
+                context()
+            ),
+            [None] => assert_eq!(first.map(Phase::mode), Some(Mode::Flight), "{}", context()),
+            [Some([slips, turns])] => {
+                let mode = match (*slips == 0.0, *turns == 0.0) {
+                    (true, true) => Mode::Rest,
+                    (true, false) => Mode::Rolling,
+                    (false, true) => Mode::Skidding,
+                    (false, false) => Mode::Sliding,
+                };
+                let law = solved(&hoop, &start, [*slips, *turns]).expect("regular");
+                // Rolling that presses where pressing closes the gap is not the only motion.
+                let Some(first) = first else {
+                    assert_eq!(
+                        motion.outcome().kind(),
+                        OutcomeKind::Ambiguous,
+                        "{}",
+                        context()
+                    );
+                    assert_eq!(mode, Mode::Rolling, "{}", context());
+                    continue;
+                };
+                assert_eq!(first.mode(), mode, "{}", context());
+                let sample = first.first();
+                let size: f64 = law.iter().map(|number| number.abs()).sum();
+                for (ours, theirs) in [
+                    (sample.theta_acceleration, law[0]),
+                    (sample.slip_acceleration, law[1]),
+                    (sample.normal, law[2]),
+                    (sample.friction, law[3]),
+                ] {
+                    close(ours, theirs, 1e-9 * size);
+                }
+            }
+            _ => assert_eq!(
+                motion.outcome().kind(),
+                OutcomeKind::Ambiguous,
+                "{}",
+                context()
+            ),
+        }
+    }
+    println!("none, one, several: {counts:?}");
+    assert!(counts.iter().all(|count| *count > 100), "{counts:?}");
 }

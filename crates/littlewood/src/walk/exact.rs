@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use crate::mechanics::{Settling, SlidingLaw};
 use crate::model::{
-    Heavy, Hoop, Limits, MAX_COORDINATE, Massless, Proof, Quantity, RotationDirection,
+    Heavy, Hoop, Limits, MAX_COORDINATE, MAX_TIME, Massless, Proof, Quantity, RotationDirection,
     SlipDirection, State,
 };
 use crate::modes::{
@@ -249,14 +249,22 @@ impl<'a> Exact<'a> {
         let skid = Skidding::new(body, self.hoop.mu_k(), direction, *state);
         let allowed = self.allowed(state);
         let end = match skid.duration() {
-            Some(duration) if allowed.is_none_or(|allowed| duration <= allowed) => PhaseEnd::Rest {
+            Some(duration) if duration <= allowed.unwrap_or(MAX_TIME) => PhaseEnd::Rest {
                 point: skid.end(duration),
                 arrival: Arrival::Held(Held {
                     slip: false,
                     turn: true,
                 }),
             },
-            Some(_) => self.stopped(skid.state(allowed.unwrap_or(0.0))),
+            Some(_) if allowed.is_some() => self.stopped(skid.state(allowed.unwrap_or(0.0))),
+            Some(time_left) => {
+                let limit = SlideLimit::One {
+                    steps: 0,
+                    time_left,
+                };
+                let state = *state;
+                Self::without_event(state, Outcome::StepLimit { state, limit })
+            }
             None => {
                 let acceleration = skid.slip_acceleration();
                 let recurrence = if acceleration == 0.0 {

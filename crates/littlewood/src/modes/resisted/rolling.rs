@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{Angle, WholeTurns, less_a_turn, split_turns, with_turns};
 use crate::mechanics::{Accelerations, Clearance, ResistedRollingLaw};
-use crate::model::{Heavy, Hoop, Mode, RotationDirection, SlipDirection, State};
+use crate::model::{Heavy, Hoop, MAX_TIME, Mode, RotationDirection, SlipDirection, State};
 use crate::modes::sliding::{MIN_RELATIVE_STEP, convergence_radius, max_step};
 use crate::modes::{Instant, Margin, PhasePoint, Recurrence, RollingLimit, Sample, Undecided};
 
@@ -191,6 +191,10 @@ impl ResistedRolling {
                     is_last: false,
                 } => next,
                 Advance::To { next, .. } => return ResistedEnd::TimeLimit(self.state_from(next)),
+                // A disc that all but keeps its rate.
+                Advance::Event(point, _) if point.elapsed > MAX_TIME => {
+                    return ResistedEnd::StepLimit(self.state_from(here));
+                }
                 Advance::Event(point, event) => return self.end_at(point, event),
                 Advance::Unresolved(undecided) => {
                     let state = self.state_from(here);
