@@ -10,7 +10,6 @@ import statistics
 import sys
 from pathlib import Path
 
-from littlewood import ParameterError
 from littlewood.certify.compare import OtherSequence, differences
 
 HERE = Path(__file__).parent
@@ -34,11 +33,6 @@ def table() -> tuple[list[str], list[str]]:
             found += [one.ulps for one in differences(certificate)]
         except OtherSequence as other:
             others.append(f"{path.stem}: {other}")
-        except ParameterError as refused:
-            # Of what the library does not have yet nothing is compared.
-            if refused.quantity != "rolling_resistance":
-                raise
-            del numbers[family]
     rows = [
         "| family | certified | numbers compared | median | 99 in 100 below | largest |",
         "|---|---|---|---|---|---|",

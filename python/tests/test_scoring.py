@@ -230,12 +230,7 @@ def test_a_landing_at_the_end_of_a_record_is_not_missed(motion, late, verdict):
 @pytest.mark.parametrize("flags", [False, True])
 def test_the_exact_motion_is_never_blamed(step, flags):
     """A motion of each family, sampled and read: the floor of the reading."""
-    # Motions with rolling resistance are not built yet.
-    families = {
-        one.given["family"]: one.motion
-        for one in lw.scoring.CASES.values()
-        if "rolling_resistance" not in one.given["hoop"]
-    }
+    families = {one.given["family"]: one.motion for one in lw.scoring.CASES.values()}
     verdicts = set()
     for motion in families.values():
         instants = np.arange(0.0, min(motion.end_time, 4.0), step)

@@ -150,7 +150,7 @@ pub mod impact {
 
     pub use crate::mechanics::bouncing::BouncingOrbit;
     pub use crate::mechanics::impact::{
-        Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, Impulse,
+        Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, ImpactVertex, Impulse,
     };
     pub use crate::mechanics::settling::{NoSettling, Settling};
 }

@@ -649,22 +649,31 @@ fn the_course_of_an_impact_ends_with_its_impulse() {
     {
         let impact = transition.impact.expect("an impact");
         let course = hoop.impact_course(transition.before.theta, &impact);
-        assert_eq!((course[0].normal, course[0].friction), (0.0, 0.0));
-        assert_eq!(course.last().expect("an end"), &impact.impulse);
+        assert_eq!(
+            (course[0].impulse.normal, course[0].impulse.friction),
+            (0.0, 0.0)
+        );
+        let end = course.last().expect("an end");
+        assert_eq!(
+            (end.impulse, end.velocities),
+            (impact.impulse, impact.after)
+        );
         assert!(
             course
                 .windows(2)
-                .all(|pair| pair[0].normal < pair[1].normal)
+                .all(|pair| pair[0].impulse.normal < pair[1].impulse.normal)
         );
         // The compliances tell what the impulse does to the rim: Δw = B J + C P, Δu = A J + B P.
         let littlewood::impact::Compliance { a, b, c, .. } = hoop
             .compliance(transition.before.theta)
             .expect("a heavy hoop");
-        let (j, p) = (impact.impulse.friction, impact.impulse.normal);
-        let change = impact.after.gap_rate - impact.before.gap_rate;
-        assert!((b * j + c * p - change).abs() < 1e-12, "{change}");
-        let change = impact.after.slip - impact.before.slip;
-        assert!((a * j + b * p - change).abs() < 1e-12, "{change}");
+        for vertex in &course {
+            let (j, p) = (vertex.impulse.friction, vertex.impulse.normal);
+            let change = vertex.velocities.gap_rate - impact.before.gap_rate;
+            assert!((b * j + c * p - change).abs() < 1e-12, "{change}");
+            let change = vertex.velocities.slip - impact.before.slip;
+            assert!((a * j + b * p - change).abs() < 1e-12, "{change}");
+        }
         assert_eq!(impact.gains_energy(), impact.energy_lost() < 0.0);
         seen += 1;
     }

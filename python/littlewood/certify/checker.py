@@ -1135,6 +1135,8 @@ class Phase:
     ) -> None:
         self.body, self.massless, self.start, self.mode = given.body, given.massless, start, mode
         self.sigma, self.order, self.rotation = sigma, order, rotation
+        # Where it begins to turn, θ′ has a simple zero.
+        self.turning_order = 1 if start.rate.is_zero() else 0
         self.rubs = sigma if mode in (SLIDING, SKIDDING) else 0
         self.drag = given.body.drag(self.rubs)
         self.sin, self.cos = s, c = sine_and_cosine(start.theta)
@@ -1542,9 +1544,7 @@ class Step:
         )
         tau, constant = (around(*one) for one in ((self.tau, self.rho), (phase.slip_constant,)))
         sizes = phase.guards(phase.in_discs, angle, self._acceleration(angle), tau, constant)
-        orders = {SLIP: phase.order} if self.tau.is_zero() else {}
-        if self.rate.is_zero():
-            orders[TURNING] = 1
+        orders = {SLIP: phase.order, TURNING: phase.turning_order} if self.tau.is_zero() else {}
         return {
             name: self._guard(series[name], sizes[name], orders.get(name, 0)) for name in series
         }
@@ -2299,6 +2299,8 @@ def impact_with_couple(body: Body, before: State, e: Range, law: str) -> Impact:
         ]
         if pressed is None:
             ends += [(-(v / now.gap_rate), "pressed")] if now.gap_rate.sign() > 0 else []
+        elif now.gap_rate.sign() <= 0:
+            raise Inconclusive("the gap closes twice in an impact")
         elif law == "poisson":
             ends.append((pressed[0] * (1 + e) - p, "over"))
         else:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import itertools
 from dataclasses import dataclass, replace
 
-from .balls import Ball, Undecided, arb, sign
+from .balls import Ball, Beyond, Undecided, arb, sign
 from .body import Body, State
 from .impact import Impact
 from .resisted import Held
@@ -142,6 +142,8 @@ class _Course:
         opens = sign(one.gap_rate, "the gap rate in an impact")
         if self.compressed is None:
             return -self.gap_rate / one.gap_rate if opens > 0 else None
+        if opens <= 0:
+            raise Beyond("the gap closes twice in an impact, which is not proved")
         normal, taken = self.compressed
         if law == "poisson":
             return (1 + e) * normal - self.normal

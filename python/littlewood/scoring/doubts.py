@@ -133,9 +133,7 @@ def _other_case(path: _Path) -> list[str]:
     from .cases import CASES
 
     for name, one in CASES.items():
-        # Motions with rolling resistance are not built yet.
-        resists = "rolling_resistance" in one.given["hoop"]
-        if one.given["units"] == "dimensionless" and not resists:
+        if one.given["units"] == "dimensionless":
             left = _distance(one.motion, path)
             if left is not None and left[0] <= _AT_ONCE and left[1] <= _SOON:
                 return [f"is it the case {name}"]

@@ -26,8 +26,8 @@ const NO_ANSWER: &str = "Rigid bodies have no answer here (Painlevé's paradox)"
 /// The first phase, and why it begins.
 pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let state = trajectory.start();
-    let forces = RollingLaw::new(trajectory.hoop()).forces(state.theta, state.theta_rate);
-    let mu_s = trajectory.hoop().mu_s();
+    let hoop = trajectory.hoop();
+    let forces = RollingLaw::new(hoop).forces(state.theta, state.theta_rate);
     if trajectory
         .transitions()
         .first()
@@ -52,7 +52,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Mode::Sliding if state.slip != 0.0 => {
             format!("Slides: the contact point moves {}.", to_the(state.slip))
         }
-        Mode::Sliding => format!("Slips: {}.", gives_way(&forces, mu_s)),
+        Mode::Sliding => format!("Slips: {}.", gives_way(hoop, &forces)),
         Mode::Gliding if state.slip != 0.0 => {
             "Glides: a hoop without inertia feels no force from the plane while it slips."
                 .to_owned()
@@ -60,7 +60,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Mode::Gliding => {
             format!(
                 "Slips, and glides without any force from the plane: {}.",
-                gives_way(&forces, mu_s)
+                gives_way(hoop, &forces)
             )
         }
         Mode::Rest => format!("Rests: {RESISTANCE_HOLDS}."),
@@ -69,11 +69,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             to_the(state.slip)
         ),
         Mode::Flight => {
-            let weight = if trajectory.hoop().slope() == 0.0 {
-                "1"
-            } else {
-                "cos α"
-            };
+            let weight = if hoop.slope() == 0.0 { "1" } else { "cos α" };
             format!(
                 "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > {weight}."
             )
@@ -100,12 +96,12 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
             format!("Comes to rest: the slip has died away, and {RESISTANCE_HOLDS}.")
         }
         Cause::Stick => format!("Sticks and rolls: the slip has died away, and {HOLDS}."),
-        Cause::TurningPoint => turning_point(event, &forces, mu_s),
+        Cause::TurningPoint => turning_point(hoop, event, &forces),
         Cause::Reversal if event.from == Some(Mode::Gliding) => {
             "The slip of the glide reverses: outside 𝓡 nothing holds the contact point.".to_owned()
         }
         Cause::Reversal => {
-            format!("The slip reverses: {}.", gives_way(&forces, mu_s))
+            format!("The slip reverses: {}.", gives_way(hoop, &forces))
         }
         Cause::Graze => "The slip touches zero and continues in the same direction.".to_owned(),
         Cause::NormalForceZero => {
@@ -139,14 +135,14 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
 }
 
 /// The rotation has come to a stop.
-fn turning_point(event: &Transition, forces: &ContactForces, mu_s: f64) -> String {
+fn turning_point(hoop: &Hoop, event: &Transition, forces: &ContactForces) -> String {
     match event.to {
         Some(Mode::Rest) => format!("Comes to rest: it has stopped, and {RESISTANCE_HOLDS}."),
         Some(Mode::Skidding) => {
             format!("Skids: it has stopped turning, and {RESISTANCE_HOLDS} while it slips.")
         }
         Some(Mode::Sliding) if event.from == Some(Mode::Rolling) => {
-            format!("Stops turning, and slips: {}.", gives_way(forces, mu_s))
+            format!("Stops turning, and slips: {}.", gives_way(hoop, forces))
         }
         Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None => {
             "Turns back: it has stopped, and its weight outdoes the rolling resistance.".to_owned()
@@ -201,7 +197,12 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             (theta_gained / TAU).abs(),
         ),
         Outcome::Rests { half_swings, .. } => {
-            format!("Rests for ever, after {half_swings} half swings: {RESISTANCE_HOLDS}.")
+            let after = match half_swings {
+                0 => String::new(),
+                1 => ", after a half swing".to_owned(),
+                many => format!(", after {many} half swings"),
+            };
+            format!("Rests for ever{after}: {RESISTANCE_HOLDS}.")
         }
         Outcome::StaysInContact { .. } => {
             "Stays in contact for ever: energy and momentum do not suffice for a lift-off."
@@ -302,12 +303,15 @@ pub fn friction(hoop: &Hoop, sample: &Sample) -> Option<String> {
 }
 
 /// Static friction did not suffice.
-fn gives_way(forces: &ContactForces, mu_s: f64) -> String {
-    if forces.normal > 0.0 {
+fn gives_way(hoop: &Hoop, forces: &ContactForces) -> String {
+    let there_is = brief(hoop.mu_s());
+    if hoop.rolling_resistance() > 0.0 {
+        // The forces are those without it.
+        format!("rolling would have needed more friction than there is (μₛ = {there_is})")
+    } else if forces.normal > 0.0 {
         format!(
-            "rolling would have needed a friction coefficient of {}; there is {}",
+            "rolling would have needed a friction coefficient of {}; there is {there_is}",
             brief(short(forces.demand())),
-            brief(mu_s)
         )
     } else {
         "to roll, the ground would have to pull it down, and it can only push".to_owned()

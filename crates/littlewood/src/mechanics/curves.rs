@@ -194,6 +194,9 @@ impl PhasePlane {
     /// The curve f, |F| = μs N in rolling. Of a massless hoop, and without friction, it has
     /// verticals: the angle alone decides.
     pub fn slip_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         let verticals = match self.hoop.body() {
             Body::Heavy(_) if self.hoop.mu_s() == 0.0 => vec![0.0, PI],
             Body::Heavy(_) => Vec::new(),
@@ -226,6 +229,9 @@ impl PhasePlane {
 
     /// The curve n, N = 0 in rolling.
     pub fn normal_force_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0)
             && self.hoop.slope() == 0.0
         {
@@ -278,6 +284,9 @@ impl PhasePlane {
 
     /// The orbits of an energy E, ½ D(θ) θ′² + ℓ̂ cos θ = E.
     pub fn level_curve(&self, energy: f64, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         let offset = self.hoop.offset();
         if energy >= offset || self.hoop.slope() != 0.0 {
             return self.graph(window, &|theta| self.level_rate(theta, energy));
@@ -354,6 +363,9 @@ impl PhasePlane {
 
     /// The region 𝓡 of (2.14) as polygons, in a window that reaches as far down as up.
     pub fn rolling_region(&self, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         let most = window.y[1];
         let top = |theta: f64| self.holding(theta, most).map(|[_, high]| [theta, high]);
         let mut pieces = Vec::new();

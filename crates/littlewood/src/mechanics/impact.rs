@@ -253,6 +253,16 @@ pub(super) struct Slope<T> {
     pub(super) gap_rate: T,
 }
 
+/// A vertex of the course of an impact: the impulse up to there, and the velocities then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ImpactVertex {
+    /// Impulse since the start of the impact.
+    pub impulse: Impulse,
+    /// Velocities.
+    pub velocities: ContactVelocities,
+}
+
 /// Compliance of the contact point to an impulse (J, P), in 1/m2: u′ − u = A J + B P, w′ − w = B
 /// J + C P.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -285,28 +295,27 @@ impl Hoop {
     /// ends, if it does, and the total; with rolling resistance also those at which a rotation
     /// ends. Empty for a massless hoop. Not defined for the sum of the
     /// impacts of a [`crate::impact::Settling`].
-    pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<Impulse> {
+    pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<ImpactVertex> {
         let Body::Heavy(body) = self.body() else {
             return Vec::new();
         };
         let contact = Contact::new(self, &body, theta);
-        let none = Impulse {
-            normal: 0.0,
-            friction: 0.0,
+        let start = ImpactVertex {
+            impulse: Impulse {
+                normal: 0.0,
+                friction: 0.0,
+            },
+            velocities: impact.before,
         };
-        if let Some(resisted) = &contact.resisted {
-            let bends = resisted.bends(impact.before, impact.impulse.normal);
-            return [vec![none], bends, vec![impact.impulse]].concat();
-        }
-        let direction = SlipDirection::of_sign(impact.before.slip);
-        let slipping = direction.map_or(contact.at_rest, |direction| contact.slope(direction));
-        let first = contact.course(impact.before, direction, slipping).first;
-        let bend = (first > 0.0 && first < impact.impulse.normal).then_some(Impulse {
-            normal: first,
-            friction: slipping.friction * first,
-        });
-        let vertices = [Some(none), bend, Some(impact.impulse)];
-        vertices.into_iter().flatten().collect()
+        let end = ImpactVertex {
+            impulse: impact.impulse,
+            velocities: impact.after,
+        };
+        let bends = match &contact.resisted {
+            Some(resisted) => resisted.bends(impact.before, impact.impulse.normal),
+            None => contact.bend(impact).into_iter().collect(),
+        };
+        [vec![start], bends, vec![end]].concat()
     }
 
     /// The impact of a hoop whose rim touches the plane in `state` with `gap_rate` ≤ 0. Friction is
@@ -445,6 +454,25 @@ impl TermSizes {
 }
 
 impl Contact {
+    /// Where the slip of an impact ends on the way.
+    fn bend(&self, impact: &Impact) -> Option<ImpactVertex> {
+        let before = impact.before;
+        let direction = SlipDirection::of_sign(before.slip);
+        let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
+        let first = self.course(before, direction, slipping).first;
+        (first > 0.0 && first < impact.impulse.normal).then_some(ImpactVertex {
+            impulse: Impulse {
+                normal: first,
+                friction: slipping.friction * first,
+            },
+            velocities: ContactVelocities {
+                theta_rate: before.theta_rate + slipping.spin * first,
+                slip: 0.0,
+                gap_rate: before.gap_rate + slipping.gap_rate * first,
+            },
+        })
+    }
+
     pub(crate) fn new(hoop: &Hoop, body: &Heavy, theta: f64) -> Self {
         Self::of(body, hoop.friction(), theta.angle())
     }

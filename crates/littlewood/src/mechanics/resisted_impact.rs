@@ -17,7 +17,9 @@
 use crate::math::bounded::Bounded;
 use crate::math::number::Number;
 use crate::math::trig::Angle;
-use crate::mechanics::impact::{ContactVelocities, Impact, ImpactCase, Impulse, Slope, Sticking};
+use crate::mechanics::impact::{
+    ContactVelocities, Impact, ImpactCase, ImpactVertex, Impulse, Slope, Sticking,
+};
 use crate::model::{
     Friction, Heavy, Margin, Restitution, RestitutionLaw, RotationDirection, SlipDirection,
     Undecided,
@@ -143,6 +145,28 @@ impl<T: Number> Followed<T> {
 }
 
 impl ResistedContact {
+    /// Where the segments of an impact end, up to a normal impulse.
+    pub(super) fn bends(&self, before: ContactVelocities, most: f64) -> Vec<ImpactVertex> {
+        let (mut now, mut bends) = (before, Vec::new());
+        let (mut normal, mut friction) = (0.0, 0.0);
+        for _ in 0..MOST_PIECES {
+            let segment = self.segment(&now, &mut |_, _| ());
+            let ends = segment.ends(&now);
+            let length = ends.first();
+            normal += length;
+            friction += segment.slope.friction * length;
+            if normal >= most || normal.is_nan() {
+                break;
+            }
+            now = stop(segment.after(&now, length), &ends);
+            bends.push(ImpactVertex {
+                impulse: Impulse { normal, friction },
+                velocities: now,
+            });
+        }
+        bends
+    }
+
     /// [`Contact::sticking`](crate::mechanics::Contact::sticking).
     pub(super) fn sticking(
         &self,
@@ -457,31 +481,6 @@ impl<T: Number> ResistedContact<T> {
                 Some(_) | None => return found,
             }
         }
-    }
-
-    /// The impulses at which a segment begins, along the normal and by friction, up to a normal
-    /// impulse.
-    pub(super) fn bends(&self, before: ContactVelocities<T>, most: f64) -> Vec<Impulse<T>> {
-        let mut at = Impulse {
-            normal: T::constant(0.0),
-            friction: T::constant(0.0),
-        };
-        let (mut now, mut bends) = (before, Vec::new());
-        for _ in 0..MOST_PIECES {
-            let segment = self.segment(&now, &mut |_, _| ());
-            let ends = segment.ends(&now);
-            let length = ends.first();
-            at = Impulse {
-                normal: at.normal + length,
-                friction: at.friction + segment.slope.friction * length,
-            };
-            if at.normal.value() >= most || at.normal.value().is_nan() {
-                break;
-            }
-            now = stop(segment.after(&now, length), &ends);
-            bends.push(at);
-        }
-        bends
     }
 }
 
