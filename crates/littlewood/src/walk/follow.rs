@@ -530,10 +530,7 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             cause,
             arrival,
         } => {
-            let turns_back = cause == Cause::TurningPoint && mode == Mode::Rolling;
-            if turns_back && phase.start.theta_rate == 0.0 {
-                cursor.half_swings += 1;
-            }
+            cursor.half_swings += usize::from(is_half_swing(&phase, cause));
             let ended = ended(Some(cause), point, arrival);
             Ok(after_event(solver, cursor, ended))
         }
@@ -568,6 +565,12 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             Err(outcome)
         }
     }
+}
+
+/// Whether a phase that ends by `cause` rolled from one turning point to the next.
+fn is_half_swing(phase: &PhaseRecord, cause: Cause) -> bool {
+    let rolls_from_rest = phase.mode == Mode::Rolling && phase.start.theta_rate == 0.0;
+    rolls_from_rest && cause == Cause::TurningPoint
 }
 
 /// The event of an impact. The motion ends before the impact if the state after it is not

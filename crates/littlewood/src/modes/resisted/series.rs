@@ -2,6 +2,7 @@
 
 use crate::math::number::Number;
 use crate::math::series::{DEGREE, Series, convolve, value};
+use crate::math::trig::Angle;
 use crate::mechanics::ResistedRollingLaw;
 use crate::modes::PhasePoint;
 
@@ -18,81 +19,104 @@ pub(crate) struct RollingSeries<T = f64> {
     pub(crate) denominator: Series<T>,
 }
 
+/// Series of the angle and of what follows from it alone.
+struct Turning<T> {
+    theta: Series<T>,
+    rate: Series<T>,
+    sin: Series<T>,
+    cos: Series<T>,
+    u: Series<T>,
+    /// j θ_j, as in a slide.
+    increment: Series<T>,
+}
+
+impl<T: Number> Turning<T> {
+    fn new(place: PhasePoint<T>, angle: Angle<T>) -> Self {
+        let zero = [T::constant(0.0); DEGREE + 1];
+        let begins = |value: T| core::array::from_fn(|n| if n == 0 { value } else { zero[n] });
+        Self {
+            theta: begins(place.theta),
+            rate: begins(place.rate),
+            sin: begins(angle.sin),
+            cos: begins(angle.cos),
+            u: zero,
+            increment: zero,
+        }
+    }
+
+    /// Coefficient n, from θ″ up to the one before.
+    fn advance(&mut self, n: usize, acceleration: &Series<T>) {
+        let count = n as f64;
+        if n > 0 {
+            self.rate[n] = acceleration[n - 1] / count;
+            self.theta[n] = self.rate[n - 1] / count;
+            self.increment[n] = self.rate[n - 1];
+        }
+        let [square, forth, back] = convolve(
+            [
+                (&self.rate, &self.rate),
+                (&self.increment, &self.cos),
+                (&self.increment, &self.sin),
+            ],
+            n,
+        );
+        self.u[n] = square;
+        if n > 0 {
+            (self.sin[n], self.cos[n]) = (forth / count, -(back / count));
+        }
+    }
+}
+
 impl<T: Number> RollingSeries<T> {
     /// About (θ, θ′), up to an order.
-    pub(crate) fn new(
-        law: &ResistedRollingLaw<T>,
-        PhasePoint { theta, rate }: PhasePoint<T>,
-        order: usize,
-    ) -> Self {
-        let rolling = &law.rolling;
-        let (mass, offset) = (rolling.mass, rolling.offset);
+    pub(crate) fn new(law: &ResistedRollingLaw<T>, place: PhasePoint<T>, order: usize) -> Self {
+        let (mass, offset) = (law.rolling.mass, law.rolling.offset);
         let zero = [T::constant(0.0); DEGREE + 1];
-        let mut s = Self {
-            theta: zero,
-            theta_rate: zero,
-            normal: zero,
-            demand: [zero; 2],
-            denominator: zero,
-        };
-        let (mut sin, mut cos, mut u, mut acceleration) = (zero, zero, zero, zero);
-        // sin θ (1 + u), and m + ℓ̂ cos θ.
-        let (mut weighted_sin, mut lever) = (zero, zero);
-        // j θ_j, as in a slide.
-        let mut increment = zero;
-        let angle = theta.angle();
-        (s.theta[0], s.theta_rate[0]) = (theta, rate);
-        (sin[0], cos[0]) = (angle.sin, angle.cos);
+        let angle = place.theta.angle();
+        let mut turning = Turning::new(place, angle);
+        let (mut normal, mut demand, mut denominator) = (zero, [zero; 2], zero);
+        // θ″, sin θ (1 + u), and m + ℓ̂ cos θ.
+        let (mut acceleration, mut weighted_sin, mut lever) = (zero, zero, zero);
         for n in 0..=order {
-            let count = n as f64;
-            if n > 0 {
-                s.theta_rate[n] = acceleration[n - 1] / count;
-                s.theta[n] = s.theta_rate[n - 1] / count;
-                increment[n] = s.theta_rate[n - 1];
-            }
-            let [square, forth, back] = convolve(
-                [
-                    (&s.theta_rate, &s.theta_rate),
-                    (&increment, &cos),
-                    (&increment, &sin),
-                ],
-                n,
-            );
-            u[n] = square;
-            if n > 0 {
-                (sin[n], cos[n]) = (forth / count, -(back / count));
-            }
+            turning.advance(n, &acceleration);
+            let Turning { sin, cos, u, .. } = &turning;
             let one = if n == 0 { 1.0 } else { 0.0 };
-            let [sin_u, cos_u] = convolve([(&sin, &u), (&cos, &u)], n);
+            let [sin_u, cos_u] = convolve([(sin, u), (cos, u)], n);
             weighted_sin[n] = sin[n] + sin_u;
             lever[n] = mass * one + offset * cos[n];
-            s.denominator[n] = if n == 0 {
+            denominator[n] = if n == 0 {
                 law.denominator_of(angle)
             } else {
                 offset * (cos[n] * 2.0 - law.resistance * sin[n])
             };
             let mut remainder = law.driving_moment(one, cos[n], weighted_sin[n], cos_u);
             for j in 1..=n {
-                remainder = remainder - s.denominator[j] * acceleration[n - j];
+                remainder = remainder - denominator[j] * acceleration[n - j];
             }
-            acceleration[n] = remainder / s.denominator[0];
+            acceleration[n] = remainder / denominator[0];
             let [sin_turn, lever_turn] =
-                convolve([(&sin, &acceleration), (&lever, &acceleration)], n);
-            s.normal[n] = mass * one - offset * (sin_turn + cos_u);
-            s.demand[1][n] = if law.is_massless() {
+                convolve([(sin, &acceleration), (&lever, &acceleration)], n);
+            normal[n] = mass * one - offset * (sin_turn + cos_u);
+            demand[1][n] = if law.is_massless() {
                 law.resistance * one - offset * sin[n]
             } else {
-                offset * sin_u - lever_turn + mass * rolling.tilt * one
+                offset * sin_u - lever_turn + mass * law.rolling.tilt * one
             };
         }
         if law.is_massless() {
-            s.demand[0] = lever;
-            return s;
+            demand[0] = lever;
+        } else {
+            let forces = law.forces(angle, place.rate * place.rate);
+            (normal[0], demand[1][0]) = (forces.normal, forces.friction);
+            demand[0] = normal;
         }
-        let forces = law.forces(angle, rate * rate);
-        (s.normal[0], s.demand[1][0]) = (forces.normal, forces.friction);
-        s.demand[0] = s.normal;
-        s
+        Self {
+            theta: turning.theta,
+            theta_rate: turning.rate,
+            normal,
+            demand,
+            denominator,
+        }
     }
 
     /// μs N + σ F, which vanishes where a slip in the direction σ begins.

@@ -474,11 +474,7 @@ impl Sliding {
                 is_last: true,
             });
         }
-        let to_zero = |velocity: &Series| (velocity[0] / velocity[1]).abs();
-        let mut time_left = to_zero(&series.slip);
-        if self.law.resistance * series.theta_rate[1] < 0.0 {
-            time_left = time_left.min(to_zero(&series.theta_rate));
-        }
+        let time_left = series.time_to_zero(self.law.resistance);
         if is_balanced && series.slip[1] != 0.0 && time_left > MAX_TIME {
             // The slip of a balanced hoop, with very small friction.
             return ControlFlow::Break(SlidingEnd::StepLimit {

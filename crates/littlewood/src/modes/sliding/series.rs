@@ -148,6 +148,18 @@ impl SlideSeries {
         INITIAL_MAX_STEP.max(1.5 * rest.max(turn))
     }
 
+    /// Time until η′ vanishes at a constant rate, or θ′ before if it ends the slide: against rolling
+    /// resistance it slows down.
+    pub(super) fn time_to_zero(&self, resistance: f64) -> f64 {
+        let to_zero = |velocity: &Series| (velocity[0] / velocity[1]).abs();
+        let time_left = to_zero(&self.slip);
+        if resistance * self.theta_rate[1] < 0.0 {
+            time_left.min(to_zero(&self.theta_rate))
+        } else {
+            time_left
+        }
+    }
+
     /// Step on which the series converge to rounding; at most `max_radius`.
     pub(super) fn convergence_radius(&self, max_radius: f64) -> f64 {
         let all = [&self.theta_rate, &self.slip, &self.contact, &self.painleve];
