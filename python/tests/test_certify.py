@@ -597,7 +597,7 @@ def contains(ball: list[str], reference: str) -> bool:
 
 @pytest.mark.parametrize(
     "motion",
-    of_families(2),
+    list(of_families(2)),
     ids=lambda motion: f"{motion['family']} {motion['start']['theta']:.3f}",
 )
 def test_certificates_contain_the_motions_of_the_program_of_rolling_resistance(
