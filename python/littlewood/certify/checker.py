@@ -1213,6 +1213,7 @@ class Phase:
             s, c = sine_and_cosine(start.theta + omega * tau / 2)
             sin_grows, cos_grows = 2 * half * c, -(2 * half * s)
             slip = start.slip + body.h * cos_grows * omega - body.back * tau
+            x = start.x + self.along * tau + body.h * sin_grows - body.back * (tau * tau / 2)
             gap = self.thrown(tau) - body.h * cos_grows
             gap_rate = start.gap_rate - body.down * tau + body.h * sin_grows * omega
         return State(start.time + tau, theta, omega, slip, x, gap, gap_rate)
@@ -2288,47 +2289,61 @@ def impact_with_couple(body: Body, before: State, e: Range, law: str) -> Impact:
     # Impulse and work of the compression, once it has ended.
     pressed: tuple[Range, Range] | None = None
     passed: list[tuple[Segment, Range, bool]] = []
-    while True:
+    name = ""
+    while name != "over":
         now = segment(body, before, (slip, rate))
         if not passed or passed[-1][0].signs != now.signs:
             passed.append((now, p, pressed is None))
         ends = [
-            (-(value / change), name)
+            (-(value / change), v - now.gap_rate * (value / change), name)
             for name, value, change in (("slip", slip, now.slip), ("rate", rate, now.rate))
             if not value.is_zero() and change.sign() * value.sign() < 0
         ]
-        if pressed is None:
-            ends += [(-(v / now.gap_rate), "pressed")] if now.gap_rate.sign() > 0 else []
-        elif now.gap_rate.sign() <= 0:
-            raise Inconclusive("the gap closes twice in an impact")
-        elif law == "poisson":
-            ends.append((pressed[0] * (1 + e) - p, "over"))
-        else:
-            opening = -(e * before.gap_rate)
-            if law == "energetic":
-                # The work that is left, from e² of that of compression.
-                left = -(e * e * pressed[1]) - (work - pressed[1])
-                opening = (v * v + 2 * (now.gap_rate * left)).sqrt()
-            ends.append(((opening - v) / now.gap_rate, "over"))
+        if pressed is not None:
+            ends.append(_over(now, (p, v, work), pressed, (e, law, before.gap_rate)))
+        elif now.gap_rate.sign() > 0:
+            ends.append((-(v / now.gap_rate), Range(0), "pressed"))
         if not ends:
             raise Inconclusive("an impact jams for ever")
-        step, name = ends[0]
+        step, opening, name = ends[0]
         for one in ends[1:]:
             if (step - one[0]).sign() > 0:
-                step, name = one
-        work += step * (2 * v + now.gap_rate * step) / 2
-        p, friction, v = p + step, friction + now.friction * step, v + now.gap_rate * step
+                step, opening, name = one
+        work += step * (v + opening) / 2
+        p, friction, v = p + step, friction + now.friction * step, opening
         slip = slip + now.slip * step if name != "slip" else Range(0)
         rate = rate + now.rate * step if name != "rate" else Range(0)
         if name == "pressed":
-            pressed, v = (p, work), Range(0)
-        if name == "over" or (name == "pressed" and e.is_zero()):
-            break
+            pressed, work = (p, work), Range(0)
+            name = "over" if e.is_zero() else name
     evidence = {f"k{k}": one.gap_rate for k, (one, *_) in enumerate(passed, 1)}
     evidence |= {f"segment_{k}": begin for k, (_, begin, _) in enumerate(passed[1:], 2)}
     after = replace(before, rate=rate, slip=slip, gap=Range(0), gap_rate=v)
     last = Next("", now.signs[0], {}, 0, now.signs[1])
     return Impact(after, p, friction, _case_of(passed), evidence, last)
+
+
+def _over(
+    now: Segment,
+    at: tuple[Range, Range, Range],
+    pressed: tuple[Range, Range],
+    law: tuple[Range, str, Range],
+) -> tuple[Range, Range, str]:
+    """Return the impulse after which the law ends an impact, and the gap rate there.
+
+    From an impulse, a gap rate and the work since compression ended.
+    """
+    (p, v, work), (e, name, closing) = at, law
+    if now.gap_rate.sign() <= 0:
+        raise Inconclusive("the gap closes twice in an impact")
+    if name == "poisson":
+        step = pressed[0] * (1 + e) - p
+        return step, v + now.gap_rate * step, "over"
+    opening = -(e * closing)
+    if name == "energetic":
+        left = -(e * e * pressed[1]) - work
+        opening = (v * v + 2 * (now.gap_rate * left)).sqrt()
+    return (opening - v) / now.gap_rate, opening, "over"
 
 
 def _case_of(passed: list[tuple[Segment, Range, bool]]) -> str:
@@ -2355,6 +2370,9 @@ def _case_of(passed: list[tuple[Segment, Range, bool]]) -> str:
 # That an impact makes at most e V of V is the law where the contact slips throughout. Where it
 # sticks, the slip of the flight before has the sign of −h s ω², so that σ B < 0 and k1 = C + μk
 # |B| > k2, from which it follows for each law.
+#
+# With rolling resistance θ′ has to keep its sign, and k1 > k2 is demanded. Where the couple holds
+# the angle, and θ′ = 0, rates fall by e exactly.
 #
 # With e = 1 bounces still settle where friction takes enough: where the contact sticks in each
 # impact, an impact is homogeneous in its rates, and that of the rate V/v and the slip −h s ω² T/v,
@@ -2444,6 +2462,84 @@ def rest_of_bounces(given: Given, start: State) -> Rest:
     return Rest(end, middle.widened(middle), zero.widened(friction))
 
 
+def rest_with_couple(given: Given, start: State) -> Rest:
+    """Enclose what follows with rolling resistance, while θ′ keeps its sign, or its value 0."""
+    body, e, zero = given.body, given.restitution, Range(0)
+    assert e is not None
+    _demand(exceeds(1 - e, 0), "shrink")
+    if start.rate.is_zero():
+        return _rest_without_rotation(body, start, e)
+    v = start.gap_rate.largest()
+    margin = v * (1 << 24)
+    theta, rate = start.theta.widened(margin), start.rate.widened(margin)
+    rotation = rate.sign()
+    (s, c), pull = sine_and_cosine(theta), body.weight(sine_and_cosine(theta)[1], rate)
+    _demand(exceeds(pull.least(), 0), "are pulled back")
+    weakest, uneven = pull.least(), (pull.largest() / pull.least()).sqrt()
+    shrink = (e * uneven).largest()
+    _demand(exceeds(1 - shrink, 0), "shrink")
+    arm, lever, drift = body.h * s, 1 + body.h * c, (body.h * s * rate * rate).largest()
+    longest = 2 * v / weakest
+    time, closing = (longest / (1 - shrink)).largest(), v * uneven / (1 - shrink)
+    sticks = start.slip.is_zero()
+    # A flight slips against the arm.
+    sigma = -arm.sign() if sticks else start.slip.sign()
+    slides = 1 / body.m + arm * body.q(s, c, sigma, rotation) / body.inertia
+    press, hold = slides, body.mu_k
+    if sticks:
+        along = 1 / body.m + lever * lever / body.inertia
+        turned = lever * (arm - body.chi * rotation) / body.inertia
+        press = body.pressing(s, c, rotation) / (body.inertia * body.m * body.m * along)
+        hold = body.mu_s
+        _demand(exceeds(body.mu_s * along, turned.largest()), "stick")
+        _demand(exceeds(slides, press), "lose by sticking")
+        # The slip ends within the impact, were it to slide throughout.
+        slowing = body.mu_k * along - turned * sigma
+        _demand(exceeds((1 + e) * (v / uneven) * slowing, drift * longest * slides), "stick")
+    _demand(exceeds(press, 0), "are pressed back")
+    normal = ((1 + e) * closing / press).largest()
+    friction = (hold * normal).largest()
+    spin = ((arm.largest() + lever.largest() * hold + body.chi) * normal / body.inertia).largest()
+    change = (friction / body.m + lever.largest() * spin + drift * time).largest()
+    turn = (rate.largest() * time).largest()
+    _demand(exceeds(margin, turn) and exceeds(margin, spin), "stay within their margin")
+    _demand(sticks or exceeds(abs(start.slip), change), "keep their slip")
+    far = ((rate.largest() + start.slip.largest() + change) * time).largest()
+    half, middle = (time / 2).largest(), (normal / 2).largest()
+    end = State(
+        (start.time + half).widened(half),
+        start.theta.widened(turn),
+        start.rate.widened(spin),
+        zero if sticks else start.slip.widened(change),
+        start.x.widened(far),
+        zero,
+        zero,
+    )
+    return Rest(end, middle.widened(middle), zero.widened(friction))
+
+
+def _rest_without_rotation(body: Body, start: State, e: Range) -> Rest:
+    """Sum up bounces in which the couple holds the angle: each has e of the gap rate before it."""
+    (s, c), sigma = sine_and_cosine(start.theta), start.slip.sign()
+    _demand(exceeds(body.chi, body.q(s, c, sigma).largest()), "hold the angle")
+    whole = start.gap_rate / (1 - e)
+    time, normal = 2 * whole / body.down, body.m * (1 + e) * whole
+    friction = -(body.mu_k * sigma * normal)
+    slip = start.slip
+    if sigma:
+        slip = slip + friction / body.m
+        _demand(exceeds(slip * sigma, 0), "keep their slip")
+    end = replace(
+        start,
+        time=start.time + time,
+        slip=slip,
+        x=start.x.widened((start.slip.largest() * time).largest()),
+        gap=Range(0),
+        gap_rate=Range(0),
+    )
+    return Rest(end, normal, friction)
+
+
 def _demand(holds: bool, what: str) -> None:
     if not holds:
         raise Inconclusive(f"it is not seen that bounces {what}")
@@ -2462,8 +2558,9 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
     body, omega, tau = given.body, start.rate, landing.time - start.time
     assert given.restitution is not None
     phi = omega * tau
+    strike = impact_with_couple if given.resists else impact
     if not start.slip.is_zero() or exceeds(2 * phi.largest(), 1):
-        return impact(body, landing, given.restitution, given.law)
+        return strike(body, landing, given.restitution, given.law)
     (s, c), square = sine_and_cosine(start.theta), phi * phi
     fourth, third, second = (_rest_of_series(square, n) for n in (4, 3, 2))
     w, bend = body.weight(c, omega), body.h * omega * omega * phi
@@ -2476,16 +2573,20 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
         * (s * (1 - square * third) + c * phi * (1 - 2 * (square * fourth)) / 2)
         * flight
     )
-    hit = impact(
+    v = start.gap_rate
+    # With rolling resistance it matters when θ′ vanishes, and else only what is added to it.
+    fast = omega / v if given.resists else Range(0)
+    hit = strike(
         body,
-        replace(landing, rate=Range(0), slip=slip, gap_rate=closing),
+        replace(landing, rate=fast, slip=slip, gap_rate=closing),
         given.restitution,
         given.law,
     )
-    v, after = start.gap_rate, hit.after
-    after = replace(
-        after, rate=omega + after.rate * v, slip=after.slip * v, gap_rate=after.gap_rate * v
-    )
+    after = hit.after
+    rate = omega + (after.rate - fast) * v
+    if given.resists and after.rate.is_zero():
+        rate = Range(0)
+    after = replace(after, rate=rate, slip=after.slip * v, gap_rate=after.gap_rate * v)
     return replace(hit, after=after, normal=hit.normal * v, friction=hit.friction * v)
 
 
@@ -2777,10 +2878,9 @@ class Walk:
         """Follow bounces one by one, enclose those that remain, and write all of them together."""
         given = self.given
         assert given.restitution is not None
-        if not given.level or given.resists:
-            where = "with rolling resistance" if given.level else "on a slope"
-            raise Refused(f"bounces {where} are not proved to settle")
-        self.phases.append({"mode": FLIGHT, "direction": 0, "samples": []})
+        if not given.level:
+            raise Refused("bounces on a slope are not proved to settle")
+        self.phases.append({"mode": FLIGHT, "direction": 0, **self.rotation(0), "samples": []})
         state, normal, friction = first, Range(0), Range(0)
         while not exceeds(slowest(), state.gap_rate):
             run = self.run(Phase(given, state, FLIGHT, 0, 1))
@@ -2788,7 +2888,7 @@ class Walk:
                 raise Refused("bounces do not settle before the time limit")
             hit = bounce(given, state, run.end)
             state, normal, friction = hit.after, normal + hit.normal, friction + hit.friction
-        rest = rest_of_bounces(given, state)
+        rest = (rest_with_couple if given.resists else rest_of_bounces)(given, state)
         end, following = rest.end, decide(given, rest.end, before=ARRIVED)
         if given.until is not None and not exceeds(given.until, end.time):
             raise Inconclusive("whether bounces settle before the time limit is not decided")

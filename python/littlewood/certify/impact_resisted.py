@@ -35,12 +35,12 @@ class _Course:
         self.body, self.rate, self.slip = body, before.rate, before.slip
         self.gap_rate = before.gap_rate
         self.arm, self.lever = body.h * before.theta.sin(), 1 + body.h * before.theta.cos()
-        self.normal, self.friction, self.lost, self.taken = (arb(0) for _ in range(4))
+        self.normal, self.friction, self.lost, self.work = (arb(0) for _ in range(4))
         self.segments: list[_Segment] = []
         self.begins: list[tuple[Ball, bool]] = []
         """Normal impulses at which segments begin, and whether the rim still comes down there."""
         self.compressed: tuple[Ball, Ball] | None = None
-        """Normal impulse, and work taken, where the gap rate has vanished."""
+        """Normal impulse, and work taken, where the gap rate has vanished; then `work` is new."""
 
     def _with(self, slips: int, turns: int) -> _Segment | None:
         """Return the segment of two signs, where its friction and its couple allow it."""
@@ -119,40 +119,40 @@ class _Course:
             return ends[0] if ends else (None, "")
         return ends[sign(ends[0][0] - ends[1][0], "which velocity vanishes first") > 0]
 
-    def move(self, one: _Segment, by: Ball, zero: str) -> None:
-        """Add a normal impulse, after which a velocity vanishes."""
+    def move(self, one: _Segment, by: Ball, zero: str, gap_rate: Ball | None = None) -> None:
+        """Add a normal impulse, after which a velocity vanishes, or the gap rate is known."""
         rate, slip = self.rate + one.rate * by, self.slip + one.slip * by
-        gap_rate = self.gap_rate + one.gap_rate * by
+        if gap_rate is None:
+            gap_rate = self.gap_rate + one.gap_rate * by
         work = by * (self.gap_rate + gap_rate) / 2
-        self.taken -= work
+        self.work += work
         self.lost -= work + by * one.friction * (self.slip + slip) / 2
         self.lost -= by * one.couple * (self.rate + rate) / 2
         self.normal, self.friction = self.normal + by, self.friction + one.friction * by
-        self.rate, self.slip, self.gap_rate = rate, slip, gap_rate
-        match zero:
-            case "slip":
-                self.slip = arb(0)
-            case "rate":
-                self.rate = arb(0)
-            case "gap_rate":
-                self.gap_rate = arb(0)
+        self.rate = arb(0) if zero == "rate" else rate
+        self.slip = arb(0) if zero == "slip" else slip
+        self.gap_rate = gap_rate
 
-    def last(self, one: _Segment, closing: Ball, e: Ball, law: str) -> Ball | None:
-        """Return the impulse after which compression ends, or the impact; None if it does not."""
+    def last(self, one: _Segment, closing: Ball, e: Ball, law: str) -> tuple[Ball, Ball] | None:
+        """Return the impulse after which compression ends, or the impact, and the gap rate there.
+
+        None if the gap does not open.
+        """
         opens = sign(one.gap_rate, "the gap rate in an impact")
         if self.compressed is None:
-            return -self.gap_rate / one.gap_rate if opens > 0 else None
+            return (-self.gap_rate / one.gap_rate, arb(0)) if opens > 0 else None
         if opens <= 0:
             raise Beyond("the gap closes twice in an impact, which is not proved")
         normal, taken = self.compressed
         if law == "poisson":
-            return (1 + e) * normal - self.normal
+            by = (1 + e) * normal - self.normal
+            return by, self.gap_rate + one.gap_rate * by
         if law == "newton":
             opening = e * closing
         else:
-            left = e * e * taken - (taken - self.taken)
+            left = e * e * taken - self.work
             opening = (self.gap_rate * self.gap_rate + 2 * one.gap_rate * left).sqrt()
-        return (opening - self.gap_rate) / one.gap_rate
+        return (opening - self.gap_rate) / one.gap_rate, opening
 
 
 def impact_resisted(body: Body, before: State, e: Ball, law: str) -> tuple[Impact, Held]:
@@ -165,15 +165,14 @@ def impact_resisted(body: Body, before: State, e: Ball, law: str) -> tuple[Impac
         if last is None and to_end is None:
             raise Undecided("an impact has no end")
         if last is None or (
-            to_end is not None and sign(to_end - last, "which end of a segment comes first") < 0
+            to_end is not None and sign(to_end - last[0], "which end of a segment comes first") < 0
         ):
             course.move(one, to_end, name)
             continue
-        compresses = course.compressed is None
-        course.move(one, last, "gap_rate" if compresses else "")
-        if not compresses or e.is_zero():
+        course.move(one, last[0], "", last[1])
+        if course.compressed is not None or e.is_zero():
             break
-        course.compressed = course.normal, course.taken
+        course.compressed, course.work = (course.normal, -course.work), arb(0)
     evidence = {f"k{k}": one.gap_rate for k, one in enumerate(course.segments, 1)}
     evidence |= {f"segment_{k}": at for k, (at, _) in enumerate(course.begins[1:], 2)}
     after = replace(
@@ -181,3 +180,21 @@ def impact_resisted(body: Body, before: State, e: Ball, law: str) -> tuple[Impac
     )
     hit = Impact(course.case, course.normal, course.friction, course.lost, after, evidence)
     return hit, Held(one.slips == 0, one.turns == 0)
+
+
+def impact_of_bounce(
+    body: Body, start: State, unit: State | None, landing: State, e: Ball, law: str
+) -> Impact:
+    """Follow the impact after a short flight: in rates over its gap rate, where it has no slip.
+
+    So the radius of the gap rate does not grow from bounce to bounce.
+    """
+    if unit is None:
+        return impact_resisted(body, landing, e, law)[0]
+    v = start.gap_rate
+    fast = start.rate / v
+    hit, _ = impact_resisted(body, replace(unit, rate=fast), e, law)
+    stops = hit.after.rate.is_zero()
+    hit = replace(hit, after=replace(hit.after, rate=hit.after.rate - fast))
+    hit = hit.times(v, start.rate)
+    return replace(hit, after=replace(hit.after, rate=arb(0))) if stops else hit

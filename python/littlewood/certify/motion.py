@@ -13,7 +13,7 @@ from .case import Case
 from .flight import Flight
 from .gliding import PLANE, Glide, decide_massless
 from .impact import Impact, impact
-from .impact_resisted import impact_resisted
+from .impact_resisted import impact_of_bounce, impact_resisted
 from .phase import TIME, Followed, Piece, follow
 from .resisted import (
     Held,
@@ -410,9 +410,8 @@ class Walk:
     def _bounce(self, flight: Flight, bouncing: _Bouncing, e: Ball) -> tuple[State, Next]:
         """Follow a bounce that is not listed, or the rest of them."""
         body, state = self.body, flight.start
-        if not body.is_level or body.resists:
-            why = "with rolling resistance" if body.is_level else "on a slope"
-            raise Beyond(f"bounces {why} are not proved to settle")
+        if not body.is_level:
+            raise Beyond("bounces on a slope are not proved to settle")
         rest = rest_of_bounces(body, state, e, self.law)
         if rest is not None:
             return self._settle(bouncing, rest)
@@ -420,9 +419,12 @@ class Walk:
         if self.until is not None and not landing.time < self.until:
             raise Undecided("time is up while bounces accumulate")
         unit = flight.unit(landing)
-        hit = impact(body, unit or landing, e, self.law)
-        if unit is not None:
-            hit = hit.times(state.gap_rate, state.rate)
+        if body.resists:
+            hit = impact_of_bounce(body, state, unit, landing, e, self.law)
+        else:
+            hit = impact(body, unit or landing, e, self.law)
+            if unit is not None:
+                hit = hit.times(state.gap_rate, state.rate)
         bouncing.normal += hit.normal
         bouncing.friction += hit.friction
         if not hit.after.gap_rate > 0:
@@ -434,7 +436,8 @@ class Walk:
         if self.until is not None and not end.time < self.until:
             raise Undecided("whether bounces settle before the time limit is not decided")
         self.bouncing = None
-        following = decide(body, end)
+        arrived = Next("", 1, {}, rotation=1)
+        following = self._decide(end, after=arrived)
         lost = body.energy(bouncing.before) - body.energy(end)
         normal, friction = bouncing.normal + rest.normal, bouncing.friction + rest.friction
         hit = Impact("sticks" if rest.sticks else "slides", normal, friction, lost, end, {})
