@@ -460,7 +460,7 @@ impl Contact {
         let direction = SlipDirection::of_sign(before.slip);
         let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
         let first = self.course(before, direction, slipping).first;
-        (first > 0.0 && first < impact.impulse.normal).then(|| ImpactVertex {
+        (first > 0.0 && first < impact.impulse.normal).then_some(ImpactVertex {
             impulse: Impulse {
                 normal: first,
                 friction: slipping.friction * first,
