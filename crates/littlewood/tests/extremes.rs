@@ -2,11 +2,12 @@
 //! inertia that are next to none.
 #![allow(clippy::panic)] // a failed expectation
 
+use crate::on_limits::Contact;
 use littlewood::modes::{Recurrence, SlideLimit};
 use littlewood::theory::{Body, Heavy};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Proof,
-    RestitutionLaw, Start, Transition,
+    RestitutionLaw, SlipDirection, Start, Transition,
 };
 use littlewood_random::Draw;
 
@@ -314,6 +315,36 @@ fn slides_after_many_turns_keep_the_digits_of_an_angle_in_its_turn() {
         (motion.jump_length - 0.028_799_516_892_151_345).abs() < 1e-11,
         "{motion:?}"
     );
+}
+
+/// A hoop with so much inertia is hardly accelerated by friction: it would slide for 1e9 turns to its
+/// lift-off, and the times of the few that there is time for are not rounded by those of all.
+/// Newton's and Euler's equations follow it in small steps.
+#[test]
+fn a_slide_that_is_hardly_accelerated_keeps_the_digits_of_its_first_turns() {
+    for (inertia, slope) in [(1e9, 0.37), (1e9, 0.0), (1e7, -0.1)] {
+        let hoop = HoopParameters::thin(0.0)
+            .with_offset(1e-3)
+            .with_inertia(inertia)
+            .with_friction(0.4, 0.2)
+            .with_slope(slope);
+        let hoop = Hoop::new(hoop).expect("a valid hoop");
+        let start = Start::at(-0.1, 5.8).with_slip(-50.0);
+        let motion = hoop
+            .simulate(start, Limits::until(20.0))
+            .expect("a valid start");
+        let slide = &motion.phases()[0];
+        assert_eq!(slide.mode(), Mode::Sliding);
+        let contact = Contact::Slides(SlipDirection::Negative, hoop.mu_k());
+        for time in [1.0, 2.5, 3.3, 12.5, 20.0] {
+            let [theta, ..] = contact.after(&hoop, &start, (time, 4_000));
+            let found = slide.sample(time).state.theta;
+            assert!(
+                (found - theta).abs() < 1e-11,
+                "{inertia:e} {slope} {time}: {found} {theta}"
+            );
+        }
+    }
 }
 
 /// At the top a light hoop has 1e-5 of the energy that it has at the bottom, and its slip all but

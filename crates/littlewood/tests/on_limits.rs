@@ -15,7 +15,7 @@ use littlewood_random::Draw;
 
 /// How a contact moves: it rolls, or slides with a coefficient of kinetic friction.
 #[derive(Clone, Copy, Debug)]
-enum Contact {
+pub(crate) enum Contact {
     Rolls,
     Slides(SlipDirection, f64),
 }
@@ -40,7 +40,7 @@ impl Contact {
     }
 
     /// The state after a time, in steps of Runge and Kutta.
-    fn after(self, hoop: &Hoop, start: &Start, (time, steps): (f64, u32)) -> [f64; 3] {
+    pub(crate) fn after(self, hoop: &Hoop, start: &Start, (time, steps): (f64, u32)) -> [f64; 3] {
         let step = time / f64::from(steps);
         let change = |now: [f64; 3]| {
             let [spin, slip, _] = self.forced(hoop, now);

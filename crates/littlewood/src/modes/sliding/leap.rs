@@ -514,21 +514,22 @@ fn max_summable_turns(
     if map.load_at_top(h, energy) >= 1.0 {
         return None;
     }
-    let ends = if beta < 0.0 {
-        // The first turn is the fastest; half its time is below the time of any turn.
-        let shortest = 0.5 * map.time(energy);
-        let max_slip = slip + map.max_slip(energy);
-        let sticks = if mean_slip_loss > 0.0 {
-            max_slip / (mean_slip_loss * shortest) + 1.0
-        } else {
-            f64::INFINITY
-        };
-        map.turns(energy, -2.0 * beta)
-            .min(sticks)
-            .min(time_left / shortest + 1.0)
+    // The turn with the largest energy is the fastest, the first or that of the lift-off; half its
+    // time is below the time of any turn. Blocks of more turns than there is time for would round
+    // the times of the first by those of all.
+    let (ends, largest) = if beta < 0.0 {
+        (map.turns(energy, -2.0 * beta), energy)
     } else {
-        map.turns(energy, map.lift_off_energy(h))
+        let lift_off = map.lift_off_energy(h);
+        (map.turns(energy, lift_off), lift_off)
     };
+    let shortest = 0.5 * map.time(largest);
+    let sticks = if mean_slip_loss > 0.0 {
+        (slip + map.max_slip(largest)) / (mean_slip_loss * shortest) + 1.0
+    } else {
+        f64::INFINITY
+    };
+    let ends = ends.min(sticks).min(time_left / shortest + 1.0);
     let max_turns = ends.min(MAX_LEAP_TURNS).floor();
     (max_turns >= MIN_LEAP_TURNS).then_some(max_turns)
 }
