@@ -2,6 +2,7 @@
 
 import dataclasses
 import math
+import re
 import warnings
 
 import numpy as np
@@ -77,6 +78,17 @@ def test_a_wrong_scale_without_heights(motion):
     scale = result.estimates["camera_scale"]
     assert abs(scale.value - 0.03) < 4.0 * scale.std_error < 0.02
     assert abs(result.hoop.mu_s - 0.5) < 4.0 * result.estimates["mu_s"].std_error
+
+
+@pytest.mark.parametrize("factor", [0.96, 1.04])
+def test_a_clock_that_is_wrong_is_named_with_its_size(motion, factor):
+    """A score alone is a step that is too short: half of it, and less."""
+    good = track_of(motion, channels=("theta", "x", "y"))
+    wrong = dataclasses.replace(good, time=factor * good.time)
+    _, raised = fitted(wrong, motion)
+    assert "clock" in raised["held"].parameters
+    size, error = re.search(r"clock (\S+) ± (\S+) in", raised["held"].message).groups()
+    assert abs(float(size) - (1.0 / factor - 1.0)) < 4.0 * float(error) < 0.02
 
 
 def test_a_marker_beside_the_particle(motion):

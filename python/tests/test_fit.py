@@ -352,3 +352,22 @@ def test_exact_derivatives_of_the_residuals_are_their_differences(level, camera)
             difference = (above[name] - below[name]) / 2e-5
             # An exposure with an impact in it is a sum whose pieces move.
             np.testing.assert_allclose(found[name][:, k], difference, atol=2e-6)
+
+
+def test_a_track_that_never_leaves_the_floor_is_given_no_bounces():
+    """It was fitted as bounces too low to be seen; and as a start that slips, which rolls."""
+    known = {"mass_ratio": 0.304332, "offset": 0.935033, "mu_s": 0.28737, "mu_k": 0.23889}
+    motion = lw.Hoop(**known, inertia=0.273046).simulate(theta=-2.3988, theta_rate=-1.87994)
+    assert motion.sequence.startswith("+R-R+R-R")
+    track = tracked(motion, 1, count=320, end=9.0, channels=("theta", "x", "y"))
+    first = lw.Hoop(mass_ratio=0.304332, offset=0.935033, inertia=0.304332, mu_s=0.5, mu_k=0.3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
+        result = lw.fit(track, first, free=RESTITUTION, slips_at_start=True)
+    true = motion.hoop.simulate(theta=-2.3988, theta_rate=-1.87994, until=9.0).sequence
+    assert result.sequences[true] > 0.01
+    assert not any("F" in sequence for sequence in result.sequences)
+    assert not result.estimates["restitution"].identifiable
+    for name in ("mu_s", "mu_k", "inertia"):
+        estimate = result.estimates[name]
+        assert abs(estimate.value - getattr(motion.hoop, name)) < 4.0 * estimate.std_error < 0.1

@@ -6,7 +6,7 @@ use crate::figure::{Figure, Key, Mark, Panel, PlotAxis, Series, View, tilted};
 use crate::item::{Corners, Item, STEPS, Step, Words, steps};
 use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE, edge};
-use crate::primitives::Anchor;
+use crate::primitives::{Anchor, Point};
 use crate::space::Space;
 use crate::stroke::{INK, LETTER, PAPER, SMALL, SOFT, Stroke, TICK};
 
@@ -18,7 +18,7 @@ pub(crate) fn items(figure: &Figure) -> Vec<Item> {
     let top = figure.height - NOTE_ROW * lines.len() as f64 - NOTES_BELOW;
     for (line, row) in lines.iter().zip(0_u8..) {
         let middle = top + NOTE_ROW * (f64::from(row) + 0.5);
-        let place = Step::of_pixels([NOTES_LEFT, middle]);
+        let place = Step::of_pixels(Point::new(NOTES_LEFT, middle));
         canvas.text(line, place, Anchor::Left, SMALL, SOFT);
     }
     canvas.0
@@ -86,14 +86,14 @@ impl Plane<'_> {
     }
 
     fn place(&self, at: &[f64]) -> Step {
-        let [right, up] = tilted(self.tilt, [at[0], at[1]]);
-        Step::new(self.across(right), self.down(up))
+        let turned = tilted(self.tilt, Point::new(at[0], at[1]));
+        Step::new(self.across(turned.x), self.down(turned.y))
     }
 
     /// Steps to a unit of the axes; hoops are drawn only where both have one scale.
     fn unit(&self) -> f64 {
         let Corners { low, high } = self.corners;
-        f64::from(high.x - low.x) / (self.x.range[1] - self.x.range[0])
+        f64::from(high.x - low.x) / self.x.range.length()
     }
 }
 
@@ -131,7 +131,9 @@ impl Canvas {
     fn panel(&mut self, panel: &Panel) {
         match &panel.view {
             View::Plane { x, y, axes, tilt } => {
-                let [low, high] = panel.axes_frame().map(Step::of_pixels);
+                let [low, high] = panel
+                    .axes_frame()
+                    .map(|corner| Step::of_pixels(corner.into()));
                 let plane = Plane {
                     x,
                     y,
@@ -160,7 +162,7 @@ impl Canvas {
     }
 
     fn key(&mut self, key: &Key) {
-        let at = Step::of_pixels(key.at);
+        let at = Step::of_pixels(key.at.into());
         if key.mark.is_area() {
             let corners = Corners {
                 low: at.by(0, -steps(6.0)),
@@ -289,7 +291,7 @@ impl Canvas {
     fn labels(&mut self, panel: &Panel, place: impl Fn(&[f64]) -> Step) {
         for label in &panel.labels {
             let [right, down] = label.shift.map(steps);
-            let [x, y] = place(&label.at).by(right, down).pixels();
+            let Point { x, y } = place(&label.at).by(right, down).pixels();
             let at = [x, y + MIDDLE * label.size];
             let (text, anchor, size) = (label.text.clone(), label.anchor, label.size);
             let words = Words {

@@ -7,7 +7,7 @@ use littlewood_style::{Curve, Rgb};
 
 use crate::clip;
 use crate::markup::plain;
-use crate::primitives::{Anchor, Image};
+use crate::primitives::{Anchor, Image, Point, Range};
 use crate::stroke::{INK, LETTER, ROOM, Stroke};
 
 /// A figure, complete: [`Figure::svg`], [`Figure::png`] and [`Figure::csv`] only write it down.
@@ -116,7 +116,7 @@ pub struct PlotAxis {
     /// Symbol and unit, with marks.
     pub title: String,
     /// Lowest and highest value.
-    pub range: [f64; 2],
+    pub range: Range,
     /// Where it begins to be logarithmic, on either side of zero; infinite for a linear axis.
     pub linear: f64,
     /// Which ticks it has.
@@ -283,7 +283,7 @@ impl PlotAxis {
     pub fn new(
         column: impl Into<Cow<'static, str>>,
         title: impl Into<String>,
-        range: [f64; 2],
+        range: Range,
     ) -> Self {
         let (column, title) = (column.into(), title.into());
         Self {
@@ -298,7 +298,7 @@ impl PlotAxis {
 
     /// Values with small ticks, which only an axis that is not linear has.
     pub fn small_ticks(&self) -> Vec<f64> {
-        let [from, to] = self.range;
+        let Range { from, to } = self.range;
         let decade = |size: f64| libm::floor(libm::log10(size)) as i32;
         let mut values: Vec<f64> = if self.scale == Scale::Nothing {
             Vec::new()
@@ -319,7 +319,7 @@ impl PlotAxis {
     }
 
     /// An axis of which nothing is seen.
-    pub fn silent(column: &'static str, range: [f64; 2]) -> Self {
+    pub fn silent(column: &'static str, range: Range) -> Self {
         Self {
             scale: Scale::Nothing,
             ..Self::new(column, "", range)
@@ -336,18 +336,22 @@ impl PlotAxis {
                 value
             }
         };
-        let [low, high] = self.range.map(bent);
+        let [low, high] = self.range.ends().map(bent);
         ((bent(value) - low) / (high - low)).clamp(-FAR, FAR)
     }
 }
 
 /// A place of coordinates that are turned by an angle, counterclockwise, in those that are not.
-pub fn tilted(angle: f64, [x, y]: [f64; 2]) -> [f64; 2] {
+pub fn tilted(angle: f64, place: Point) -> Point {
     if angle == 0.0 {
-        return [x, y];
+        return place;
     }
+    let Point { x, y } = place;
     let (sin, cos) = libm::sincos(angle);
-    [x * cos - y * sin, x * sin + y * cos]
+    Point {
+        x: x * cos - y * sin,
+        y: x * sin + y * cos,
+    }
 }
 
 impl Panel {
@@ -375,21 +379,24 @@ impl Panel {
     }
 
     /// Where a place of its plane is drawn, in pixels; none in space.
-    pub fn place(&self, [right, up]: [f64; 2]) -> Option<[f64; 2]> {
+    pub fn place(&self, place: Point) -> Option<Point> {
         let View::Plane { x, y, tilt, .. } = &self.view else {
             return None;
         };
         let [[left, top], [end, bottom]] = self.axes_frame();
-        let [right, up] = tilted(*tilt, [right, up]);
-        Some([
-            left + x.share(right) * (end - left),
-            bottom - y.share(up) * (bottom - top),
-        ])
+        let turned = tilted(*tilt, place);
+        Some(Point {
+            x: left + x.share(turned.x) * (end - left),
+            y: bottom - y.share(turned.y) * (bottom - top),
+        })
     }
 
     /// The pieces of a line in its plane that lie within the axes, in pixels.
     pub fn line(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
-        let places: Option<Vec<[f64; 2]>> = points.iter().map(|point| self.place(*point)).collect();
+        let places: Option<Vec<[f64; 2]>> = points
+            .iter()
+            .map(|point| Some(self.place((*point).into())?.row()))
+            .collect();
         clip::line(&places.unwrap_or_default(), self.axes_frame())
     }
 }

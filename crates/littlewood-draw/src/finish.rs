@@ -8,6 +8,7 @@ use crate::chart::room_for_notes;
 use crate::figure::{Figure, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, Scale, Series, View};
 use crate::letters::width;
 use crate::place::place;
+use crate::primitives::Range;
 use crate::space::length_of;
 use crate::stroke::{SMALL, Stroke};
 use crate::words::short;
@@ -114,11 +115,11 @@ struct Farthest {
 
 impl Farthest {
     /// The value at the edge of the axes that it leaves.
-    fn label(self, [low, high]: [f64; 2]) -> Label {
-        let (edge, down) = if self.value > high {
-            (high, 9.0)
+    fn label(self, range: Range) -> Label {
+        let (edge, down) = if self.value > range.to {
+            (range.to, 9.0)
         } else {
-            (low, -9.0)
+            (range.from, -9.0)
         };
         let text = if self.value.is_infinite() {
             if self.value > 0.0 { "∞" } else { "−∞" }.to_owned()
@@ -136,9 +137,12 @@ fn out_of(series: &Series, x: &PlotAxis, y: &PlotAxis) -> Vec<[f64; 2]> {
     let (Some(across), Some(up)) = (series.column(&x.column), series.column(&y.column)) else {
         return Vec::new();
     };
-    let [low, high] = y.range;
+    let Range {
+        from: low,
+        to: high,
+    } = y.range;
     let is_out = |row: &[f64]| row[up] < low || row[up] > high;
-    let is_seen = |row: &&Vec<f64>| (x.range[0]..=x.range[1]).contains(&row[across]);
+    let is_seen = |row: &&Vec<f64>| x.range.contains(row[across]);
     let parts = series.pieces.iter().flat_map(|piece| {
         piece.chunk_by(|a, b| is_out(a) && is_out(b) && (a[up] > high) == (b[up] > high))
     });
@@ -164,7 +168,7 @@ fn beyond(panel: &Panel) -> (Vec<Layer>, Vec<Label>) {
         };
         let rows = out_of(&layer.series, x, y);
         for &[across, value] in &rows {
-            let side = &mut farthest[usize::from(value > y.range[1])];
+            let side = &mut farthest[usize::from(value > y.range.to)];
             if side.is_none_or(|side| value.abs() > side.value.abs()) {
                 *side = Some(Farthest {
                     across,
@@ -236,7 +240,7 @@ fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool, each: f64) {
 
 /// At most about so many ticks.
 fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
-    let [from, to] = axis.range;
+    let Range { from, to } = axis.range;
     match &axis.scale {
         Scale::Round if axis.linear.is_finite() => symmetric(axis, count),
         Scale::Round => ticks::round(from, to, count),
@@ -266,7 +270,7 @@ fn choices(axis: &PlotAxis, count: usize) -> Vec<Tick> {
 /// Zero, and on either side of it as many as there may be of 1, 2 and 5, or 1 and 3, or 1 of each
 /// decade, or 1 of some, down to where the axis begins to be linear.
 fn symmetric(axis: &PlotAxis, most: usize) -> Vec<Tick> {
-    let [from, to] = axis.range;
+    let Range { from, to } = axis.range;
     let least = libm::log10(axis.linear);
     let last = libm::floor(libm::log10(f64::max(from.abs(), to.abs()))) as i32;
     let sides = (most.saturating_sub(1) / 2).max(1);

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 #[cfg(feature = "pdf")]
 use crate::letters::Letter;
 use crate::letters::{all, outline};
-use crate::primitives::Segment;
+use crate::primitives::{Point, Segment};
 
 /// Its units to the size, of which all coordinates of the letters are whole numbers.
 const UNITS: u16 = 2000;
@@ -66,7 +66,7 @@ const NAME: &str = "Littlewood";
 pub fn font() -> Vec<u8> {
     let shapes: BTreeMap<char, Shape> = all()
         .map(|(sign, letter, [scale, down])| {
-            let place = |[x, y]: [f64; 2]| [scale * x, scale * y - 1000.0 * down];
+            let place = |at: Point| Point::new(scale * at.x, scale * at.y - 1000.0 * down);
             let outline = outline(letter.path).map(|segment| segment.placed(place));
             (sign, shape(outline, scale * letter.advance))
         })
@@ -170,16 +170,16 @@ fn words(values: impl IntoIterator<Item = i16>) -> Vec<u8> {
 
 /// A point of a contour, on the curve or off it.
 #[derive(Clone, Copy, PartialEq)]
-struct Point {
+struct ContourPoint {
     at: [i16; 2],
     is_on: bool,
 }
 
 /// The contours of a letter.
-fn contours(outline: impl Iterator<Item = Segment>) -> Vec<Vec<Point>> {
-    let mut contours: Vec<Vec<Point>> = Vec::new();
-    let point = |at: [f64; 2], is_on| Point {
-        at: at.map(units),
+fn contours(outline: impl Iterator<Item = Segment>) -> Vec<Vec<ContourPoint>> {
+    let mut contours: Vec<Vec<ContourPoint>> = Vec::new();
+    let point = |at: Point, is_on| ContourPoint {
+        at: at.row().map(units),
         is_on,
     };
     for segment in outline {
@@ -210,7 +210,7 @@ fn contours(outline: impl Iterator<Item = Segment>) -> Vec<Vec<Point>> {
 fn shape(outline: impl Iterator<Item = Segment>, advance: f64) -> Shape {
     let width = units(advance);
     let contours = contours(outline);
-    let points: Vec<Point> = contours.iter().flatten().copied().collect();
+    let points: Vec<ContourPoint> = contours.iter().flatten().copied().collect();
     let values = |k: usize| points.iter().map(move |point| point.at[k]);
     let ends = |k: usize| [values(k).min(), values(k).max()].map(|end| end.unwrap_or(0));
     let [[left, right], [low, high]] = [ends(0), ends(1)];

@@ -4,7 +4,7 @@ use littlewood_style::Rgb;
 
 use crate::clip;
 use crate::letters::width;
-use crate::primitives::{Anchor, Image};
+use crate::primitives::{Anchor, Image, Point};
 use crate::stroke::Stroke;
 
 /// Steps to a pixel.
@@ -23,12 +23,12 @@ impl Step {
     }
 
     /// The nearest one.
-    pub(crate) fn of_pixels([x, y]: [f64; 2]) -> Self {
-        Self::new(steps(x), steps(y))
+    pub(crate) fn of_pixels(place: Point) -> Self {
+        Self::new(steps(place.x), steps(place.y))
     }
 
-    pub(crate) fn pixels(self) -> [f64; 2] {
-        self.place().map(|side| side / STEPS)
+    pub(crate) fn pixels(self) -> Point {
+        self.place().map(|side| side / STEPS).into()
     }
 
     pub(crate) fn place(self) -> [f64; 2] {
@@ -149,12 +149,12 @@ impl Frame {
     }
 
     pub(crate) fn of(corners: Corners) -> Self {
-        let ([left, top], [right, bottom]) = (corners.low.pixels(), corners.high.pixels());
+        let (low, high) = (corners.low.pixels(), corners.high.pixels());
         Self {
-            left,
-            top,
-            right,
-            bottom,
+            left: low.x,
+            top: low.y,
+            right: high.x,
+            bottom: high.y,
         }
     }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::OnceLock;
 
 use crate::markup::{Script, private, runs, scripted, small, symbol};
-use crate::primitives::Segment;
+use crate::primitives::{Point, Segment};
 
 /// Size of an index or exponent.
 const SCRIPT_SIZE: f64 = 0.72;
@@ -146,7 +146,7 @@ pub(crate) fn outline(path: &str) -> impl Iterator<Item = Segment> {
     path.match_indices(is_kind).filter_map(move |(at, kind)| {
         let numbers = path[at + kind.len()..].split(is_kind).next()?;
         let mut numbers = numbers.split(' ').filter_map(|number| number.parse().ok());
-        let mut point = || Some([numbers.next()?, numbers.next()?]);
+        let mut point = || Some(Point::new(numbers.next()?, numbers.next()?));
         match kind {
             "M" => Some(Segment::Move(point()?)),
             "L" => Some(Segment::Line(point()?)),
@@ -166,7 +166,7 @@ pub fn outlines(text: &str, size: f64) -> impl Iterator<Item = (Vec<Segment>, f6
              unit,
              bold,
          }| {
-            let place = |[x, y]: [f64; 2]| [right + unit * x, down - unit * y];
+            let place = |at: Point| Point::new(right + unit * at.x, down - unit * at.y);
             (
                 outline(letter.path)
                     .map(|segment| segment.placed(place))

@@ -10,13 +10,13 @@
 //! line: [`plain`] takes them off, [`markdown`] translates them.
 //!
 //! ```
-//! use littlewood_draw::{Content, INK, Mark, PlotAxis, Series, Sheet, Stroke};
+//! use littlewood_draw::{Content, INK, Mark, PlotAxis, Range, Series, Sheet, Stroke};
 //!
 //! let line = Series::of_rows("line", &["x", "y"], vec![vec![0.0, 0.0], vec![1.0, 2.0]]);
 //! let content = Content {
 //!     name: "plane",
-//!     x: PlotAxis::new("x", "*x*", [0.0, 1.0]),
-//!     y: PlotAxis::new("y", "*y*", [0.0, 2.0]),
+//!     x: PlotAxis::new("x", "*x*", Range { from: 0.0, to: 1.0 }),
+//!     y: PlotAxis::new("y", "*y*", Range { from: 0.0, to: 2.0 }),
 //!     layers: vec![line.drawn(Mark::Line(Stroke::solid(INK, 1.5)))],
 //!     labels: Vec::new(),
 //! };
@@ -61,7 +61,7 @@ pub use letters::{missing, outlines, width};
 pub use littlewood_style::{Dash, Rgb, ticks::Tick};
 pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve, lift_off_condition};
 pub use markup::{Run, Script, markdown, plain, runs, unicode};
-pub use primitives::{Anchor, Image, Segment};
+pub use primitives::{Anchor, Image, Point, Range, Segment};
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};
 pub use sheet::{
     Content, Entries, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet,

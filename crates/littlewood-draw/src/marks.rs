@@ -5,7 +5,7 @@ use littlewood_style::{Curve, Rgb};
 use crate::figure::{HoopShape, Mark};
 use crate::hatch;
 use crate::item::{Frame, Item, Paint, STEPS, Step, Words, steps};
-use crate::primitives::Anchor;
+use crate::primitives::{Anchor, Point};
 use crate::stroke::{INK, PAPER, Stroke};
 use crate::words::marked;
 
@@ -163,7 +163,7 @@ impl Canvas {
             else {
                 return None;
             };
-            let inside = corners.map(|corner| winding(lines, corner) != 0);
+            let inside = corners.map(|corner| winding(lines, corner.into()) != 0);
             inside
                 .contains(&true)
                 .then(|| if inside == [true; 4] { *colour } else { PAPER })
@@ -200,7 +200,7 @@ impl Canvas {
 
     /// A text without a halo, by its middle on the vertical.
     pub(crate) fn text(&mut self, text: &str, place: Step, anchor: Anchor, size: f64, colour: Rgb) {
-        let [x, y] = place.pixels();
+        let Point { x, y } = place.pixels();
         let at = [x, y + MIDDLE * size];
         self.words(Words {
             text: text.to_owned(),
@@ -250,8 +250,8 @@ impl Canvas {
 }
 
 /// How often closed lines wind about a place in pixels.
-fn winding(lines: &[Vec<Step>], place: [f64; 2]) -> i32 {
-    let [x, y] = place.map(|pixels| pixels * STEPS);
+fn winding(lines: &[Vec<Step>], place: Point) -> i32 {
+    let [x, y] = place.row().map(|pixels| pixels * STEPS);
     let edges = lines
         .iter()
         .flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));

@@ -30,8 +30,8 @@ impl Figure {
     pub fn png(&self, scale: f64) -> Result<Vec<u8>, DrawError> {
         check_scale(scale)?;
         let scale = scale * self.points() / POINTS;
-        let size = [self.width, self.height].map(|side| libm::ceil(side * scale) as u32);
-        let pixels = self.pixels(size, scale)?;
+        let side = |length: f64| libm::ceil(length * scale) as u32;
+        let pixels = self.pixels(side(self.width), side(self.height), scale)?;
         let to_a_metre = self
             .print_mm
             .map(|mm| libm::round(scale * self.width / (mm / 1000.0)) as u32);
@@ -42,8 +42,8 @@ impl Figure {
     ///
     /// # Errors
     /// [`DrawError::NoRoom`].
-    pub fn pixels(&self, size: [u32; 2], scale: f64) -> Result<Image, DrawError> {
-        raster::pixels(&items(self), size, scale)
+    pub fn pixels(&self, width: u32, height: u32, scale: f64) -> Result<Image, DrawError> {
+        raster::pixels(&items(self), width, height, scale)
     }
 
     /// All texts, with the boxes of their letters: left, top, right and bottom in pixels.

@@ -13,7 +13,7 @@ use crate::item::{Frame, Item, Words};
 use crate::letters::glyphs;
 use crate::markup::plain;
 use crate::pencil::{Pencil, draw};
-use crate::primitives::{Image, Path, Segment};
+use crate::primitives::{Image, Path, Point, Segment};
 use crate::stroke::Stroke;
 
 /// Level of compression.
@@ -35,8 +35,10 @@ const SYSTEM: SystemInfo<'static> = SystemInfo {
 };
 
 /// To a thousandth of a pixel, which keeps the file small.
-fn fine(point: [f64; 2]) -> [f32; 2] {
-    point.map(|value| (libm::round(1e3 * value) / 1e3) as f32)
+fn fine(point: Point) -> [f32; 2] {
+    point
+        .row()
+        .map(|value| (libm::round(1e3 * value) / 1e3) as f32)
 }
 
 /// A colour as PDF takes it.
@@ -45,7 +47,7 @@ fn shares(Rgb(colour): Rgb) -> [f32; 3] {
 }
 
 /// Where a segment ends.
-const fn end(segment: Segment) -> Option<[f64; 2]> {
+const fn end(segment: Segment) -> Option<Point> {
     match segment {
         Segment::Move(to) | Segment::Line(to) | Segment::Quad(_, to) | Segment::Curve(_, _, to) => {
             Some(to)
@@ -55,10 +57,10 @@ const fn end(segment: Segment) -> Option<[f64; 2]> {
 }
 
 /// The handles of a curve as a cubic one, from where it begins.
-fn handles(from: [f64; 2], segment: Segment) -> [[f64; 2]; 2] {
+fn handles(from: Point, segment: Segment) -> [Point; 2] {
     // Two thirds of the way: where a cubic curve has its handle for that of a quadratic one.
-    let towards =
-        |from: [f64; 2], to: [f64; 2]| [0, 1].map(|i| from[i] + 2.0 / 3.0 * (to[i] - from[i]));
+    let part = |from: f64, to: f64| from + 2.0 / 3.0 * (to - from);
+    let towards = |from: Point, to: Point| Point::new(part(from.x, to.x), part(from.y, to.y));
     match segment {
         Segment::Quad(handle, to) => [from, to].map(|end| towards(end, handle)),
         Segment::Curve(a, b, _) => [a, b],
@@ -69,7 +71,7 @@ fn handles(from: [f64; 2], segment: Segment) -> [[f64; 2]; 2] {
 
 impl Page {
     fn path(&mut self, path: &Path) {
-        let mut here = [0.0; 2];
+        let mut here = Point::default();
         for segment in path {
             match *segment {
                 Segment::Move(to) => {
@@ -120,8 +122,8 @@ impl Pencil for Page {
     }
 
     fn image(&mut self, frame: Frame, image: &Image) {
-        let [left, top] = fine([frame.left, frame.top]);
-        let [right, bottom] = fine([frame.right, frame.bottom]);
+        let [left, top] = fine(Point::new(frame.left, frame.top));
+        let [right, bottom] = fine(Point::new(frame.right, frame.bottom));
         self.0.save_state();
         // The unit square of an image has its first row at the top.
         self.0
@@ -144,9 +146,9 @@ impl Pencil for Page {
             let [right, down] = line[0].at;
             let (right, size) = (right - back, (1000.0 * line[0].unit) as f32);
             let at = if words.upwards {
-                [x + down, y - right]
+                Point::new(x + down, y - right)
             } else {
-                [x + right, y + down]
+                Point::new(x + right, y + down)
             };
             let [a, b] = fine(at);
             self.0.set_font(FACE, size);
@@ -279,7 +281,8 @@ mod tests {
 
     #[test]
     fn a_quadratic_curve_has_its_handles_at_two_thirds() {
-        let curve = Segment::Quad([3.0, 6.0], [6.0, 0.0]);
-        assert_eq!(handles([0.0, 0.0], curve), [[2.0, 4.0], [4.0, 4.0]]);
+        let curve = Segment::Quad(Point::new(3.0, 6.0), Point::new(6.0, 0.0));
+        let expected = [Point::new(2.0, 4.0), Point::new(4.0, 4.0)];
+        assert_eq!(handles(Point::default(), curve), expected);
     }
 }

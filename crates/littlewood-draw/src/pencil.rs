@@ -4,7 +4,7 @@ use littlewood_style::Rgb;
 
 use crate::item::{Frame, Item, Paint, STEPS, Step, Words};
 use crate::letters::outlines;
-use crate::primitives::{Image, Path, Segment};
+use crate::primitives::{Image, Path, Point, Segment};
 use crate::stroke::{PAPER, Stroke};
 
 /// Something that draws paths.
@@ -70,10 +70,10 @@ fn polygon(points: &[Step], paint: Paint) -> Vec<Segment> {
 fn rectangle(frame: Frame) -> [Segment; 5] {
     let [left, top, right, bottom] = frame.sides();
     [
-        Segment::Move([left, top]),
-        Segment::Line([right, top]),
-        Segment::Line([right, bottom]),
-        Segment::Line([left, bottom]),
+        Segment::Move(Point::new(left, top)),
+        Segment::Line(Point::new(right, top)),
+        Segment::Line(Point::new(right, bottom)),
+        Segment::Line(Point::new(left, bottom)),
         Segment::Close,
     ]
 }
@@ -82,8 +82,8 @@ fn rectangle(frame: Frame) -> [Segment; 5] {
 fn circle(centre: Step, radius: i32) -> Vec<Segment> {
     // Puts the middle of each curve on the circle.
     const HANDLE: f64 = 0.552_284_749_830_793_4;
-    let ([x, y], radius) = (centre.pixels(), f64::from(radius) / STEPS);
-    let at = |a: f64, b: f64| [x + radius * a, y + radius * b];
+    let (Point { x, y }, radius) = (centre.pixels(), f64::from(radius) / STEPS);
+    let at = |a: f64, b: f64| Point::new(x + radius * a, y + radius * b);
     let quarter = |[a, b]: [f64; 2]| {
         // The direction in which the circle goes on, a quarter of a turn further.
         let [c, d] = [-b, a];
@@ -105,12 +105,12 @@ fn circle(centre: Step, radius: i32) -> Vec<Segment> {
 /// A text by the outlines of its letters.
 fn written(words: &Words, pencil: &mut impl Pencil) {
     let (back, [x, y]) = (words.back(), words.at);
-    let place = |[right, down]: [f64; 2]| {
-        let right = right - back;
+    let place = |at: Point| {
+        let right = at.x - back;
         if words.upwards {
-            [x + down, y - right]
+            Point::new(x + at.y, y - right)
         } else {
-            [x + right, y + down]
+            Point::new(x + right, y + at.y)
         }
     };
     let letters: Vec<(Vec<Segment>, f64)> = outlines(&words.text, words.size)

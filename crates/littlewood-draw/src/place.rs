@@ -4,7 +4,7 @@ use crate::figure::{Label, Layer, Mark, Panel, PlotAxis, View};
 use crate::item::{ASCENT, DESCENT, Frame, Item, STEPS};
 use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE};
-use crate::primitives::Anchor;
+use crate::primitives::{Anchor, Point};
 use crate::space::Space;
 use crate::stroke::Stroke;
 
@@ -36,7 +36,7 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn new(panel: &Panel, sheet: Frame, at: &dyn Fn(&[f64]) -> Option<[f64; 2]>) -> Self {
+    fn new(panel: &Panel, sheet: Frame, at: &dyn Fn(&[f64]) -> Option<Point>) -> Self {
         let cells = |side: f64| libm::ceil(side / CELL) as usize + 1;
         let (columns, rows) = (cells(sheet.right), cells(sheet.bottom));
         let mut drawn = Self {
@@ -50,7 +50,7 @@ impl Drawn {
     }
 
     /// Adds the lines and the marks of a layer.
-    fn add(&mut self, layer: &Layer, axes: &[&PlotAxis], at: &dyn Fn(&[f64]) -> Option<[f64; 2]>) {
+    fn add(&mut self, layer: &Layer, axes: &[&PlotAxis], at: &dyn Fn(&[f64]) -> Option<Point>) {
         let (Mark::Line(Stroke { colour, .. })
         | Mark::Arrow(Stroke { colour, .. })
         | Mark::Head(colour)
@@ -72,23 +72,24 @@ impl Drawn {
         };
         let is_line = matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
         for piece in &layer.series.pieces {
-            let places: Vec<[f64; 2]> = piece.iter().filter_map(place).collect();
+            let places: Vec<Point> = piece.iter().filter_map(place).collect();
             if !is_line || places.len() == 1 {
                 places.iter().for_each(|place| self.darken(*place, dark));
             }
             for pair in places.windows(2).filter(|_| is_line) {
-                let [dx, dy] = [0, 1].map(|k| pair[1][k] - pair[0][k]);
+                let (from, to) = (pair[0], pair[1]);
+                let (dx, dy) = (to.x - from.x, to.y - from.y);
                 let count = libm::ceil(libm::hypot(dx, dy) / CELL).min(4096.0);
                 for i in 0..=count as u32 {
                     let share = f64::from(i) / count.max(1.0);
-                    self.darken([pair[0][0] + share * dx, pair[0][1] + share * dy], dark);
+                    self.darken(Point::new(from.x + share * dx, from.y + share * dy), dark);
                 }
             }
         }
     }
 
-    fn darken(&mut self, place: [f64; 2], dark: f32) {
-        let [column, row] = place.map(|pixels| pixels / CELL);
+    fn darken(&mut self, place: Point, dark: f32) {
+        let [column, row] = place.row().map(|pixels| pixels / CELL);
         if column >= 0.0 && row >= 0.0 && (column as usize) < self.columns {
             let at = row as usize * self.columns + column as usize;
             if let Some(cell) = self.cells.get_mut(at) {
@@ -108,7 +109,7 @@ impl Drawn {
 }
 
 /// The box of a label whose place is known.
-fn frame(label: &Label, [x, y]: [f64; 2]) -> Frame {
+fn frame(label: &Label, Point { x, y }: Point) -> Frame {
     let wide = width(&label.text, label.size);
     let left = x + label.shift[0] - label.anchor.share() * wide;
     let middle = y + label.shift[1];
@@ -158,7 +159,7 @@ fn choices(label: &Label) -> Vec<Label> {
 
 /// Where the labels of a panel may stand.
 struct Places<'a> {
-    at: &'a dyn Fn(&[f64]) -> Option<[f64; 2]>,
+    at: &'a dyn Fn(&[f64]) -> Option<Point>,
     /// What they should not hide, and what they must not.
     drawn: Drawn,
     taken: Vec<Frame>,
@@ -170,9 +171,9 @@ struct Places<'a> {
 
 impl Places<'_> {
     /// Where a label stands; none out of sight.
-    fn seen(&self, label: &Label) -> Option<[f64; 2]> {
+    fn seen(&self, label: &Label) -> Option<Point> {
         let here = (self.at)(&label.at)?;
-        let [x, y] = here;
+        let Point { x, y } = here;
         let point = Frame {
             left: x,
             top: y,
@@ -183,7 +184,7 @@ impl Places<'_> {
     }
 
     /// The best place of a label, which is taken from then on, if there is any.
-    fn take(&mut self, label: &Label, here: [f64; 2]) -> Option<Label> {
+    fn take(&mut self, label: &Label, here: Point) -> Option<Label> {
         let (room, choices) = if label.is_fixed {
             (self.sheet, vec![label.clone()])
         } else {
@@ -228,7 +229,7 @@ pub(crate) fn place(panel: &mut Panel, width: f64, height: f64) -> Vec<Label> {
     let space = Space::of(panel);
     let at = |place: &[f64]| match &space {
         Some(space) => Some(space.place(place).pixels()),
-        None => panel.place([place[0], place[1]]),
+        None => panel.place(Point::new(place[0], place[1])),
     };
     let mut places = Places {
         at: &at,
@@ -264,7 +265,7 @@ pub(crate) fn place(panel: &mut Panel, width: f64, height: f64) -> Vec<Label> {
 }
 
 /// Moved to the right or left such that it does not reach out of its room there.
-fn inwards(label: Label, here: [f64; 2], room: Frame) -> Label {
+fn inwards(label: Label, here: Point, room: Frame) -> Label {
     let own = frame(&label, here);
     let (left, right) = (room.left + EDGE, room.right - EDGE);
     let by = (left - own.left).max(0.0) - (own.right - right).max(0.0);

@@ -9,7 +9,7 @@ use tiny_skia::{
 use crate::error::DrawError;
 use crate::item::{Frame, Item};
 use crate::pencil::{Pencil, draw};
-use crate::primitives::{Image, Path, Segment};
+use crate::primitives::{Image, Path, Point, Segment};
 use crate::stroke::{self, PAPER};
 
 /// Least number of pixels of a picture to one of the drawing.
@@ -65,8 +65,8 @@ pub fn skia(path: &[Segment]) -> Option<tiny_skia::Path> {
     builder.finish()
 }
 
-fn single(point: [f64; 2]) -> [f32; 2] {
-    point.map(|value| value as f32)
+fn single(point: Point) -> [f32; 2] {
+    point.row().map(|value| value as f32)
 }
 
 fn paint(Rgb([r, g, b]): Rgb) -> Paint<'static> {
@@ -118,11 +118,9 @@ impl Pencil for Picture {
         for (to, byte) in own.data_mut().iter_mut().zip(bytes) {
             *to = byte;
         }
-        let [x, y] = single([
-            (frame.right - frame.left) / f64::from(width),
-            (frame.bottom - frame.top) / f64::from(height),
-        ]);
-        let [left, top] = single([frame.left, frame.top]);
+        let x = ((frame.right - frame.left) / f64::from(width)) as f32;
+        let y = ((frame.bottom - frame.top) / f64::from(height)) as f32;
+        let (left, top) = (frame.left as f32, frame.top as f32);
         let transform = self.transform.pre_translate(left, top).pre_scale(x, y);
         self.pixels
             .draw_pixmap(0, 0, own.as_ref(), &PixmapPaint::default(), transform, None);
@@ -132,7 +130,8 @@ impl Pencil for Picture {
 /// Items in so many pixels to the right and downwards, so many to one of the drawing.
 pub(crate) fn pixels(
     items: &[Item],
-    [width, height]: [u32; 2],
+    width: u32,
+    height: u32,
     scale: f64,
 ) -> Result<Image, DrawError> {
     let mut pixels = Pixmap::new(width, height).ok_or(DrawError::NoRoom { width, height })?;

@@ -256,6 +256,7 @@ impl Sheet {
 
     /// A figure of two panels beside each other, on a narrow sheet one below the other, with its
     /// keys above.
+    // Two of one kind in their order, as `figure` takes any number of panels.
     pub fn pair(
         &self,
         name: &'static str,

@@ -4,7 +4,7 @@
 use crate::figure::{Panel, PanelFrame, PlotAxis, View};
 use crate::item::{Paint, Step, steps};
 use crate::marks::{Canvas, HAIR};
-use crate::primitives::Anchor;
+use crate::primitives::{Anchor, Point};
 use crate::stroke::{GRID, INK, PAPER, SMALL, Stroke, TICK};
 
 /// Room around the axes in pixels, and the length of an axis in parts of the shorter side.
@@ -76,7 +76,7 @@ impl<'a> Space<'a> {
 
     fn step(&self, corner: Corner) -> Step {
         let [x, y, _] = self.seen(corner);
-        Step::of_pixels([x, y])
+        Step::of_pixels(Point { x, y })
     }
 
     /// Draws sides, grids, edges and ticks.

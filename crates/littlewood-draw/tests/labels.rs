@@ -5,7 +5,7 @@ use littlewood_draw::{Content, Figure, INK, Label, PlotAxis, Series, Sheet, Stro
 fn placed(labels: Vec<Label>) -> (Figure, usize) {
     let count = labels.len();
     let line = Series::of_rows("line", &["x", "y"], vec![vec![0.0, 0.5], vec![1.0, 0.5]]);
-    let axis = |column| PlotAxis::new(column, "", [0.0, 1.0]);
+    let axis = |column| PlotAxis::new(column, "", [0.0, 1.0].into());
     let layers = vec![line.drawn(Stroke::solid(INK, 1.0))];
     let content = Content {
         name: "plane",
@@ -38,7 +38,7 @@ fn a_label_leaves_a_curve_and_stays_in_the_axes() {
     ]);
     let panel = &figure.panels[0];
     let [[left, top], [right, bottom]] = panel.axes_frame();
-    let line = panel.place([0.5, 0.5]).expect("a plane")[1];
+    let line = panel.place([0.5, 0.5].into()).expect("a plane").y;
     for (text, [l, t, r, b]) in figure
         .texts()
         .iter()

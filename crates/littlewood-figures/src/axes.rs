@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 use littlewood::Hoop;
 use littlewood::tables::Quantity;
 use littlewood::theory::{PhasePlane, Stability, Window};
-use littlewood_draw::{PlotAxis, Scale, marked};
+use littlewood_draw::{PlotAxis, Range, Scale, marked};
 use littlewood_style::ticks::Tick;
 
 use crate::columns::dimension;
@@ -12,12 +12,12 @@ use crate::wording::Wording;
 
 impl Wording {
     /// θ.
-    pub(crate) fn angle(self, range: [f64; 2]) -> PlotAxis {
+    pub(crate) fn angle(self, range: Range) -> PlotAxis {
         self.angle_with(range, Vec::new())
     }
 
     /// θ, with ticks of its own.
-    pub(crate) fn angle_with(self, range: [f64; 2], own: Vec<Tick>) -> PlotAxis {
+    pub(crate) fn angle_with(self, range: Range, own: Vec<Tick>) -> PlotAxis {
         PlotAxis {
             scale: Scale::Angle(own),
             ..self.of_quantity(Quantity::Theta, range)
@@ -25,26 +25,26 @@ impl Wording {
     }
 
     /// θ′.
-    pub(crate) fn rate(self, range: [f64; 2]) -> PlotAxis {
+    pub(crate) fn rate(self, range: Range) -> PlotAxis {
         self.of_quantity(Quantity::ThetaRate, range)
     }
 
     /// η′.
-    pub(crate) fn slip(self, range: [f64; 2]) -> PlotAxis {
+    pub(crate) fn slip(self, range: Range) -> PlotAxis {
         self.of_quantity(Quantity::Slip, range)
     }
 
     /// τ.
-    pub(crate) fn clock(self, range: [f64; 2]) -> PlotAxis {
+    pub(crate) fn clock(self, range: Range) -> PlotAxis {
         self.axis(Quantity::Time.name(), &self.time(), range)
     }
 
-    fn of_quantity(self, quantity: Quantity, range: [f64; 2]) -> PlotAxis {
+    fn of_quantity(self, quantity: Quantity, range: Range) -> PlotAxis {
         self.axis(quantity.name(), &marked(quantity.sign()), range)
     }
 
     /// Any column, with its symbol and round ticks.
-    pub(crate) fn axis(self, column: &'static str, symbol: &str, range: [f64; 2]) -> PlotAxis {
+    pub(crate) fn axis(self, column: &'static str, symbol: &str, range: Range) -> PlotAxis {
         let title = self.title(symbol, dimension(column));
         PlotAxis::new(column, title, range)
     }

@@ -6,7 +6,7 @@ use littlewood::theory::closed_form::slip_angle;
 use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, Window};
 use littlewood::{Hoop, ParameterError};
 use littlewood_draw::{
-    Anchor, Content, INK, Label, Layer, Mark, PlotAxis, STABLE, Series, UNSTABLE,
+    Anchor, Content, INK, Label, Layer, Mark, PlotAxis, Point, STABLE, Series, UNSTABLE,
 };
 use littlewood_style::Curve;
 
@@ -63,10 +63,10 @@ impl Portrait {
     ) -> Content {
         Content {
             name,
-            x: say.angle(self.window.x),
+            x: say.angle(self.window.x.into()),
             y: PlotAxis {
                 linear: self.linear,
-                ..say.rate(self.window.y)
+                ..say.rate(self.window.y.into())
             },
             layers,
             labels,
@@ -252,8 +252,9 @@ pub(crate) fn mirrored(label: Label, axis: usize) -> [Label; 2] {
 }
 
 /// Two places of an orbit as they follow each other: to the right where θ′ > 0.
-pub(crate) fn in_time<const N: usize>(a: [f64; N], b: [f64; N]) -> [[f64; N]; 2] {
-    if (b[0] - a[0]) * a[1] > 0.0 {
+pub(crate) fn in_time<Row: AsRef<[f64]>>(a: Row, b: Row) -> [Row; 2] {
+    let (from, to) = (a.as_ref(), b.as_ref());
+    if (to[0] - from[0]) * from[1] > 0.0 {
         [a, b]
     } else {
         [b, a]
@@ -271,14 +272,14 @@ impl Portrait {
     pub(crate) fn name_of(
         &self,
         series: &Series,
-        at: [f64; 2],
+        at: Point,
         name: impl Into<String>,
     ) -> Option<Label> {
         let Window { x, y } = self.window;
         let distance = |row: &[f64]| {
             let (dx, dy) = (
-                (row[0] - at[0]) / (x[1] - x[0]),
-                (row[1] - at[1]) / (y[1] - y[0]),
+                (row[0] - at.x) / (x[1] - x[0]),
+                (row[1] - at.y) / (y[1] - y[0]),
             );
             dx * dx + dy * dy
         };

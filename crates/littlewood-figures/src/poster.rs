@@ -283,8 +283,8 @@ impl Page {
         } = self;
         let down = (0.1 * (height - used)).max(0.0);
         panels.iter_mut().for_each(|panel| shift(panel, 0.0, down));
-        let x = PlotAxis::silent(COLUMNS[0], [0.0, width]);
-        let y = PlotAxis::silent(COLUMNS[1], [down - height, down]);
+        let x = PlotAxis::silent(COLUMNS[0], [0.0, width].into());
+        let y = PlotAxis::silent(COLUMNS[1], [down - height, down].into());
         let layers = vec![Series::new("rule", &COLUMNS, lines).drawn(Stroke::solid(GRID, 1.6))];
         let content = littlewood_draw::Content {
             name: "page",

@@ -35,7 +35,8 @@ fn convert(panel: &mut Panel, units: &Units) {
     }
     let radius = units.unit(Dimension::Length);
     for axis in axes {
-        axis.range = axis.range.map(|value| in_si(units, &axis.column, value));
+        let range = axis.range.ends();
+        axis.range = range.map(|value| in_si(units, &axis.column, value)).into();
         axis.linear = in_si(units, &axis.column, axis.linear);
         axis.column = si_name(&axis.column);
     }

@@ -3,8 +3,8 @@
 
 use littlewood::{Phase, Sample, Transition};
 use littlewood_draw::{
-    Content, Entries, FAINT, Figure, Label, Layer, Panel, PanelFrame, PlotAxis, ROOM, SMALL, SOFT,
-    Scale, Series, Sheet, Stroke, width,
+    Content, Entries, FAINT, Figure, Label, Layer, Panel, PanelFrame, PlotAxis, ROOM, Range, SMALL,
+    SOFT, Scale, Series, Sheet, Stroke, width,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::FINE;
@@ -72,7 +72,7 @@ impl Shown {
             x: PlotAxis {
                 title: String::new(),
                 scale: Scale::Bare,
-                ..self.say.clock(self.times())
+                ..self.say.clock(self.times().into())
             },
             y,
             layers,
@@ -94,10 +94,10 @@ impl Shown {
         let [left, inner] = sheet.span();
         let beside_keys = if keys.is_empty() { 38.0 } else { 42.0 };
         let (keys, room) = sheet.keys(keys, 6.0);
-        let names = self.names(contents[0].y.range[1], inner - ROOM[0]);
+        let names = self.names(contents[0].y.range.to, inner - ROOM[0]);
         contents[0].labels.splice(0..0, names.labels);
         if let Some(last) = contents.last_mut() {
-            last.x = self.say.clock(self.times());
+            last.x = self.say.clock(self.times().into());
         }
         let mut top = room + beside_keys + names.height;
         let mut bottom = top;
@@ -138,7 +138,7 @@ impl Shown {
         }
         let pieces = times
             .into_iter()
-            .map(|time| axis.range.map(|value| [time, value]));
+            .map(|time| axis.range.ends().map(|value| [time, value]));
         Series::new("transition", &[TIME, column], pieces).drawn(VERTICAL)
     }
 
@@ -262,9 +262,9 @@ impl Across<'_> {
     }
 }
 
-pub(crate) fn range_of<'a>(series: impl IntoIterator<Item = &'a Series>, also: &[f64]) -> [f64; 2] {
+pub(crate) fn range_of<'a>(series: impl IntoIterator<Item = &'a Series>, also: &[f64]) -> Range {
     let values = series
         .into_iter()
         .flat_map(|series| series.rows().map(|row| row[1]));
-    bounds(values.chain(also.iter().copied()), 0.12)
+    bounds(values.chain(also.iter().copied()), 0.12).into()
 }

@@ -109,7 +109,7 @@ fn a_rate_without_bound_does_not_hide_the_rest_of_a_sheet() {
     let View::Plane { y, .. } = &panel(&figure, "theta_rate").view else {
         panic!("a plane")
     };
-    assert!(rates[0][0] > 0.4 && y.range[1] < 10.0, "{:?}", y.range);
+    assert!(rates[0][0] > 0.4 && y.range.to < 10.0, "{:?}", y.range);
     assert_eq!(rates[rates.len() - 1], [f64::INFINITY]);
     let beyond = of_panel(&figure, "theta_rate", "gliding beyond the axis");
     assert_eq!(columns(beyond, ["theta_rate"]), [[f64::INFINITY]]);
@@ -307,8 +307,8 @@ fn what_is_drawn_of_a_phase_path_is_in_its_window() {
             let marked = layer.is_marked_beyond || matches!(layer.mark, Mark::Beyond(_));
             for [theta, rate] in columns(&layer.series, ["theta", "theta_rate"]) {
                 let is_head = layer.series.name == "arrow of time" || layer.series.name == "flow";
-                let inside = (x.range[0] - 1e-9..=x.range[1] + 1e-9).contains(&theta)
-                    && (marked || (y.range[0] - 1e-9..=y.range[1] + 1e-9).contains(&rate));
+                let inside = (x.range.from - 1e-9..=x.range.to + 1e-9).contains(&theta)
+                    && (marked || (y.range.from - 1e-9..=y.range.to + 1e-9).contains(&rate));
                 assert!(is_head || inside, "{}: {theta}, {rate}", layer.series.name);
             }
         }
@@ -439,7 +439,7 @@ fn the_region_of_rolling_is_filled_up_to_its_edge() {
             for j in 0..100 {
                 let place = [
                     2.0 * PI * (f64::from(i) + 0.31) / 200.0,
-                    0.99 * y.range[1] * (f64::from(j) + 0.37) / 50.0 - 0.99 * y.range[1],
+                    0.99 * y.range.to * (f64::from(j) + 0.37) / 50.0 - 0.99 * y.range.to,
                 ];
                 let wanted = plane.in_rolling_region(place[0], place[1]);
                 let found = polygons.iter().any(|polygon| is_inside(polygon, place));

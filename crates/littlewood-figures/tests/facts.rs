@@ -78,10 +78,7 @@ fn the_weight_is_on_the_axis_beside_which_it_stands() {
             panic!("a plane")
         };
         for label in panel.labels.iter().filter(|label| label.text == "weight") {
-            assert!(
-                (y.range[0]..=y.range[1]).contains(&label.at[1]),
-                "{name} of {case}"
-            );
+            assert!(y.range.contains(label.at[1]), "{name} of {case}");
         }
         assert!(
             figure.texts().iter().any(|(text, _)| text == "weight"),

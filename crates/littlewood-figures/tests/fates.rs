@@ -120,11 +120,11 @@ fn outcomes_of_all_cases_are_what_the_simulation_does() {
         let figure = find.figure(input).expect("it can be drawn");
         let regions = table(&figure, "plane", ["theta", "theta_rate"]);
         let axes = axes(&figure.panels[0]);
-        let side = axes.map(|axis| axis.range[1] - axis.range[0]);
+        let side = axes.map(|axis| axis.range.length());
         let limits = limits(&figure, input.limits);
         let (mut compared, mut jumps, mut wrong) = (0, 0, 0);
         for _ in 0..300 {
-            let place = axes.map(|axis| draw.between(axis.range[0], axis.range[1]));
+            let place = axes.map(|axis| draw.between(axis.range.from, axis.range.to));
             let seen = |[theta, rate]: [f64; 2]| {
                 let motion = input
                     .hoop

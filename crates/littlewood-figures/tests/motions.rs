@@ -279,7 +279,7 @@ fn on_a_ramp_the_hoop_is_drawn_on_the_ramp() {
                 .figure(&input)
                 .expect("it can be drawn");
             let panel = &figure.panels[0];
-            let place = |at: [f64; 2]| panel.place(at).expect("a plane");
+            let place = |at: [f64; 2]| panel.place(at.into()).expect("a plane").row();
             let [origin, unit_x, unit_y] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(place);
             let along = [unit_x[0] - origin[0], unit_x[1] - origin[1]];
             let radius = libm::hypot(along[0], along[1]);

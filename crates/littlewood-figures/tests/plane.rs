@@ -4,7 +4,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::support::{THIN, assert_near, columns, figure, outlines, series, winding};
 use littlewood::{Cause, Hoop, Limits, Mode, Start};
-use littlewood_figures::{Dash, Figure, FigureInput, Mark, Series, View, find_figure};
+use littlewood_figures::{Dash, Figure, FigureInput, Mark, Range, Series, View, find_figure};
 
 const PLANE: [&str; 2] = ["theta", "theta_rate"];
 const EXACT: f64 = 1e-10;
@@ -133,7 +133,7 @@ fn the_body_leaves_the_plane_beyond_the_curve_of_figure_outcomes() {
     let mut on_it = 0;
     for [theta, rate] in columns(series(&figure, "leaves_at_once")[0], PLANE) {
         let on_edge =
-            |range: [f64; 2], value: f64| range.iter().any(|end| (end - value).abs() < 1e-3);
+            |range: Range, value: f64| range.ends().iter().any(|end| (end - value).abs() < 1e-3);
         if !on_edge(x.range, theta) && !on_edge(y.range, rate) {
             assert_near(
                 h * libm::cos(theta) * rate * rate,
@@ -415,10 +415,8 @@ fn regions_and_names_of_types_are_those_of_simulated_motions_for_every_friction(
             }
             for [from, above, to, below] in boxes {
                 for [pixels, down] in [[from, above], [to, above], [to, below], [from, below]] {
-                    let theta =
-                        x.range[0] + (pixels - left) / (right - left) * (x.range[1] - x.range[0]);
-                    let rate =
-                        y.range[1] - (down - top) / (bottom - top) * (y.range[1] - y.range[0]);
+                    let theta = x.range.from + (pixels - left) / (right - left) * x.range.length();
+                    let rate = y.range.to - (down - top) / (bottom - top) * y.range.length();
                     if ends.is_some() {
                         assert!(rate.abs() > 1.0, "{name} beside 𝓡 with {mu_s}");
                     } else {
@@ -484,7 +482,7 @@ fn gliding_conserves_the_corrected_integral_and_not_the_printed_one() {
 fn windows_show_a_turn_and_more() {
     let figure = figure("figure-2a");
     let [from, to] = match &figure.panels[0].view {
-        littlewood_figures::View::Plane { x, .. } => x.range,
+        littlewood_figures::View::Plane { x, .. } => x.range.ends(),
         littlewood_figures::View::Space { .. } => panic!("a plane"),
     };
     assert!(to - from > TAU);

@@ -101,7 +101,7 @@ const FRAME: [&str; 10] = [
 
 /// Place of a value between the ends of an axis, 0 to 1.
 fn share(axis: &PlotAxis, value: f64) -> f64 {
-    (value - axis.range[0]) / (axis.range[1] - axis.range[0])
+    (value - axis.range.from) / axis.range.length()
 }
 
 /// Two pixels of a panel: the contact before a long flight may be as short.
@@ -162,11 +162,8 @@ fn shows_something(panel: &Panel) -> bool {
         View::Plane { x, y, .. } => vec![x, y],
         View::Space { x, y, z, .. } => vec![x, y, z],
     };
-    assert!(
-        axes.iter()
-            .all(|axis| axis.range[0] < axis.range[1]
-                && axis.range.iter().all(|end| end.is_finite()))
-    );
+    assert!(axes.iter().all(|axis| axis.range.from < axis.range.to
+        && axis.range.ends().iter().all(|end| end.is_finite())));
     panel
         .layers
         .iter()

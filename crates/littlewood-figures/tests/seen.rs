@@ -5,7 +5,9 @@ use core::f64::consts::PI;
 use littlewood::cases::CASES;
 use littlewood::theory::PhasePlane;
 use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Start};
-use littlewood_figures::{FIGURES, Figure, FigureInput, Mark, Scale, View, find_figure, plain};
+use littlewood_figures::{
+    FIGURES, Figure, FigureInput, Mark, Point, Scale, View, find_figure, plain,
+};
 use littlewood_style::{Accent, Theme};
 
 fn of_case(name: &str, case: &str) -> Figure {
@@ -74,13 +76,13 @@ fn a_curve_of_a_motion_that_leaves_its_axes_is_marked_there() {
                             .is_some()
                     })
                     .flat_map(|series| columns(series, [&x.column, &y.column]))
-                    .filter(|[across, _]| (x.range[0]..=x.range[1]).contains(across))
+                    .filter(|[across, _]| x.range.contains(*across))
                     .collect()
             };
             let is_mode = |name: &str| Mode::ALL.iter().any(|mode| mode.name() == name);
             let data = rows(&|name, mark| is_mode(name) && matches!(mark, Mark::Line(_)));
             let marks = rows(&|_, mark| matches!(mark, Mark::Beyond(_)));
-            let [low, high] = y.range;
+            let [low, high] = y.range.ends();
             for is_above in [false, true] {
                 let is_out = |value: f64| if is_above { value > high } else { value < low };
                 let farthest = |rows: &[[f64; 2]]| {
@@ -222,7 +224,7 @@ fn the_name_of_the_weight_stands_on_no_curve() {
             .find(|(text, _)| text == name)
             .expect("the name");
         let normal = panel.layers.last().expect("the curve").series.rows();
-        for [x, y] in normal.filter_map(|row| panel.place([row[0], row[1]])) {
+        for Point { x, y } in normal.filter_map(|row| panel.place([row[0], row[1]].into())) {
             let beside = x < *left || x > *right || y < *top || y > *bottom;
             assert!(beside, "{case}: {x}, {y}");
         }

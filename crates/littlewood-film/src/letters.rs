@@ -1,6 +1,6 @@
 //! Words as outlines, in the letters of all pictures.
 
-use littlewood_draw::{outlines, skia, width};
+use littlewood_draw::{Point, outlines, skia, width};
 use tiny_skia::Path;
 
 use crate::canvas::Place;
@@ -44,7 +44,7 @@ impl Style {
     /// The outline of words, with marks, on a base line; none if nothing is to be seen.
     pub(crate) fn outline(self, words: &str, place: Place) -> Option<Path> {
         let left = place.x - self.anchor * self.width(words);
-        let at = |[right, down]: [f64; 2]| [left + right, place.y + down];
+        let at = |it: Point| Point::new(left + it.x, place.y + it.y);
         let segments = outlines(words, self.letters()).flat_map(|(segments, _)| segments);
         skia(
             &segments

@@ -9,8 +9,8 @@ use littlewood::tables::{Dimension, Quantity, SampleColumn};
 use littlewood::theory::{PhasePlane, Window};
 use littlewood::{Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Dash, DrawError, GRID, Image, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, REGION,
-    SMALL, Scale, Series, Sheet, Stroke, marked,
+    Content, Dash, DrawError, GRID, Image, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, Point,
+    REGION, SMALL, Scale, Series, Sheet, Stroke, marked,
 };
 use littlewood_style::width::FINE;
 use littlewood_style::{Curve, EnergyPart};
@@ -118,9 +118,9 @@ impl Pane {
         let time = sample.state.time;
         let [[left, top], [right, bottom]] = self.panel.axes_frame();
         let in_units = |[x, y]: [f64; 2]| [self.units[0] * x, self.units[1] * y];
-        let placed = |point: [f64; 2]| self.panel.place(in_units(point)).unwrap_or_default();
+        let placed = |point| self.panel.place(in_units(point).into()).unwrap_or_default();
         if let Some(done) = &self.done {
-            let now = placed([time, 0.0])[0].clamp(left, right);
+            let now = placed([time, 0.0]).x.clamp(left, right);
             canvas.image(done, self.corner, libm::round(self.scale * now) as usize);
             let corner = self.place(now - 0.7, top);
             canvas.rectangle(corner, 1.4 * self.scale, self.scale * (bottom - top), INK);
@@ -135,7 +135,7 @@ impl Pane {
             }
         }
         if let Some(now) = place_of(self.with, sample).filter(|now| now[1].is_finite()) {
-            let [x, y] = placed(now);
+            let Point { x, y } = placed(now);
             let centre = self.place(x, y.clamp(top, bottom));
             canvas.disc(centre, 5.4 * self.scale, PAPER);
             canvas.disc(centre, 4.0 * self.scale, INK);
@@ -224,8 +224,7 @@ impl<'a> Shown<'a> {
         let figure = sheet
             .figure("pane", "", String::new(), height, vec![panel.clone()])
             .fitted();
-        let pixels = [size.width, size.height].map(|side| side as u32);
-        let image = figure.pixels(pixels, scale)?;
+        let image = figure.pixels(size.width as u32, size.height as u32, scale)?;
         Ok((panel, image))
     }
 
@@ -264,7 +263,7 @@ impl<'a> Shown<'a> {
                 other => unit_sign(self.units.as_ref(), other),
             };
             let range = self.ranges[k].map(|value| worth[k] * value);
-            PlotAxis::new(COLUMNS[k], with_unit(&names[k], &unit), range)
+            PlotAxis::new(COLUMNS[k], with_unit(&names[k], &unit), range.into())
         };
         let (mut x, y) = (axis(0), axis(1));
         if self.with == With::Plane {

@@ -76,6 +76,7 @@ impl Draw {
     }
 
     /// A number between two, uniform.
+    // An array, as the usual range of a quantity in its table.
     pub fn between(&mut self, [from, to]: [f64; 2]) -> f64 {
         from + (to - from) * self.share()
     }
@@ -91,6 +92,7 @@ impl Draw {
     }
 
     /// A number between two powers of ten, uniform in its logarithm.
+    // An array, as `between`.
     pub fn of_any_size(&mut self, powers: [f64; 2]) -> f64 {
         libm::exp10(self.between(powers))
     }

@@ -8,7 +8,8 @@ use littlewood_sweep::{Lattice, Place, Region, Regions};
 const WIDTH: f64 = 1e-6;
 
 fn find(count: [usize; 2], key: impl Fn(Place) -> u64) -> Regions {
-    let lattice = Lattice::even(count, &key);
+    let [columns, rows] = count;
+    let lattice = Lattice::even(columns, rows, &key);
     let mut ask = |places: &[Place]| {
         Ok::<_, Infallible>(Some(places.iter().map(|&place| key(place)).collect()))
     };
@@ -149,7 +150,7 @@ fn where_all_places_differ_the_work_is_bounded() {
 #[test]
 fn what_is_not_answered_is_drawn_from_what_is_known() {
     let key = |[x, y]: Place| u64::from(square([x - 0.5, y - 0.5]) < 0.1) + u64::from(x > 0.61);
-    let lattice = Lattice::even([33, 33], key);
+    let lattice = Lattice::even(33, 33, key);
     let mut errors = Vec::new();
     for most in [0, 200, 400, 100_000] {
         let mut asked = 0;

@@ -4,8 +4,8 @@
 use std::f64::consts::TAU;
 
 use crate::common::dd::Dd;
-use crate::common::engines;
 use crate::common::newton::{agrees, balances, modes, said, solve};
+use crate::common::{engines, none_differ};
 use littlewood::modes::{Margin, Undecided};
 use littlewood::theory::Body;
 use littlewood::{
@@ -27,7 +27,7 @@ impl Contact {
         let mu_s = hoop.mu_s();
         match self {
             Self::Rolls => {
-                let [spin, normal, friction] = solve([of.spin, of.normal, of.friction], of.right);
+                let [spin, normal, friction] = of.rolling();
                 [spin, 0.0, friction.abs() - mu_s * normal]
             }
             Self::Slides(direction, mu_k) => {
@@ -69,8 +69,7 @@ fn start_on_limit(draw: &mut Draw) -> Option<(Hoop, Start)> {
     let Body::Heavy(body) = hoop.body() else {
         return None;
     };
-    let of = balances(&hoop, &start);
-    let [_, normal, friction] = solve([of.spin, of.normal, of.friction], of.right);
+    let [_, normal, friction] = balances(&hoop, &start).rolling();
     let mu_s = friction.abs() / normal;
     let presses = libm::cos(hoop.slope())
         - body.h * libm::cos(start.theta) * start.theta_rate * start.theta_rate;
@@ -105,8 +104,7 @@ fn a_start_on_the_limit_of_static_friction_goes_to_the_side_that_comes_next() {
             continue;
         }
         from_rest += u32::from(order == 4.0);
-        let of = balances(&hoop, &start);
-        let [_, _, friction] = solve([of.spin, of.normal, of.friction], of.right);
+        let [_, _, friction] = balances(&hoop, &start).rolling();
         let against = SlipDirection::of_sign(-friction);
         let (expected, contact) = match against {
             Some(direction) if late > 0.0 => (
@@ -152,15 +150,9 @@ fn a_start_on_the_limit_of_static_friction_goes_to_the_side_that_comes_next() {
             ));
         }
     }
-    println!(
-        "{rolling} roll, {sliding} slide, {from_rest} from rest, {} differ",
-        wrong.len()
-    );
-    assert!(
-        wrong.is_empty(),
-        "{} differ: {:#?}",
-        wrong.len(),
-        &wrong[..wrong.len().min(5)]
+    none_differ(
+        &wrong,
+        &format!("{rolling} roll, {sliding} slide, {from_rest} from rest"),
     );
     assert!(
         rolling > 200 && sliding > 200 && from_rest > 50,
@@ -253,13 +245,7 @@ fn a_start_on_the_limit_of_contact_goes_to_the_side_that_comes_next() {
             }
         }
     }
-    println!("{contact} in contact, {flying} fly, {} differ", wrong.len());
-    assert!(
-        wrong.is_empty(),
-        "{} of {contact} and {flying} differ: {:#?}",
-        wrong.len(),
-        &wrong[..wrong.len().min(5)]
-    );
+    none_differ(&wrong, &format!("{contact} in contact, {flying} fly"));
     assert!(contact > 500 && flying > 500, "{contact} {flying}");
 }
 
@@ -285,8 +271,8 @@ fn a_start_in_free_fall_on_a_slope_goes_to_the_side_that_comes_next() {
         let [early, late] = [0.5, 1.0].map(|part| {
             let state = Contact::Rolls.after(&hoop, &start, (part * time, 24));
             let of = balances(&hoop, &Start::at(state[0], state[1]));
-            let [_, n, f] = solve([of.spin, of.normal, of.friction], of.right);
-            let [_, opening, _] = solve([of.spin, of.gap, of.slip], of.right);
+            let [_, n, f] = of.rolling();
+            let [_, opening, _] = of.flight();
             [opening, n, f, f.abs() - mu_s * n]
         });
         // The first derivatives have to decide so soon.
@@ -340,16 +326,7 @@ fn a_start_in_free_fall_on_a_slope_goes_to_the_side_that_comes_next() {
             }
         }
     }
-    println!(
-        "{seen:?} fly, roll, slide to either side, {} differ",
-        wrong.len()
-    );
-    assert!(
-        wrong.is_empty(),
-        "{} of {seen:?} differ: {:#?}",
-        wrong.len(),
-        &wrong[..wrong.len().min(5)]
-    );
+    none_differ(&wrong, &format!("{seen:?} fly, roll, slide to either side"));
     assert!(seen.iter().all(|count| *count > 50), "{seen:?}");
 }
 
@@ -409,8 +386,7 @@ fn a_slip_that_comes_back_to_the_limit_on_a_slope_is_decided_by_its_side() {
             let pace = libm::cos(slope).sqrt();
             let start = Start::at(theta, rate * pace);
             let parameters = parameters.with_slope(slope);
-            let of = balances(&Hoop::new(parameters).expect("a hoop"), &start);
-            let [_, n, f] = solve([of.spin, of.normal, of.friction], of.right);
+            let [_, n, f] = balances(&Hoop::new(parameters).expect("a hoop"), &start).rolling();
             let mu_s = f.abs() / n;
             if !(n > 0.01 && mu_s > 1e-3 && mu_s < 5.0) {
                 continue;
@@ -454,15 +430,9 @@ fn a_slip_that_comes_back_to_the_limit_on_a_slope_is_decided_by_its_side() {
             }
         }
     }
-    println!(
-        "{sides:?} slip on or stick, {exact:?} between; {} differ",
-        wrong.len()
-    );
-    assert!(
-        wrong.is_empty(),
-        "{} of {sides:?} differ: {:#?}",
-        wrong.len(),
-        &wrong[..wrong.len().min(5)]
+    none_differ(
+        &wrong,
+        &format!("{sides:?} slip on or stick, {exact:?} between"),
     );
     assert!(sides.iter().all(|count| *count > 4), "{sides:?}");
 }
@@ -513,8 +483,7 @@ fn a_massless_start_on_a_limit_goes_to_the_side_that_comes_next() {
         // The least of N and of μs N − |F|.
         let margin = |time: f64| {
             let [theta, rate, _] = Contact::Rolls.after(&hoop, &start, (time, 24));
-            let of = balances(&hoop, &Start::at(theta, rate));
-            let [_, n, f] = solve([of.spin, of.normal, of.friction], of.right);
+            let [_, n, f] = balances(&hoop, &Start::at(theta, rate)).rolling();
             n.min(hoop.mu_s() * n - f.abs())
         };
         let [early, late] = [0.5 * time, time].map(margin);
@@ -539,13 +508,7 @@ fn a_massless_start_on_a_limit_goes_to_the_side_that_comes_next() {
             ));
         }
     }
-    println!("{rolling} roll, {gliding} glide, {} differ", wrong.len());
-    assert!(
-        wrong.is_empty(),
-        "{} differ: {:#?}",
-        wrong.len(),
-        &wrong[..wrong.len().min(5)]
-    );
+    none_differ(&wrong, &format!("{rolling} roll, {gliding} glide"));
     assert!(rolling > 300 && gliding > 300, "{rolling} {gliding}");
 }
 

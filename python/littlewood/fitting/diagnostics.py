@@ -15,6 +15,7 @@ from .._internal.elementwise import Reals
 from .._internal.extras import require
 from .._internal.terminal import printable
 from .calibration import CALIBRATION, determined
+from .problem import ROUGH
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -47,6 +48,8 @@ _LAGS = 12
 _LEAST_ERROR = 1e-6
 # Of what else can be wrong, what explains at least this part of the best is named with it.
 _ALSO = 0.8
+# Steps of a fit that finds what is held.
+_STEPS_OF_FREED = 30
 # A cause explains at least this part of what the squares of the residuals have too much.
 _EXPLAINS = 0.4
 # What nobody weighs, and by which part somebody may take it wrong.
@@ -221,16 +224,36 @@ def _contradictions(
     if not found or found[0][0] < max(_LOUD, math.sqrt(max(0.0, _EXPLAINS * excess))):
         return
     shown = [one for one in found if one[0] >= _ALSO * found[0][0]][:3]
-    words = [
-        f"{name} {value:.3g} ± {error:.1g} in place of {values.get(name, 0.0):.3g}"
-        for _, name, value, error in shown
-    ]
+    words = []
+    for _, name, value, error in shown:
+        if name in problem.holdable:
+            value, error = _freed(problem, unknowns, name, value, error)
+        words.append(f"{name} {value:.3g} ± {error:.1g} in place of {values.get(name, 0.0):.3g}")
     of_camera = shown[0][1].startswith(_CAMERA)
     yield Doubt(
         "camera" if of_camera else "held",
         f"by {found[0][0]:.0f} standard errors the track asks for {' or '.join(words)}",
         tuple(name for _, name, _, _ in shown),
     )
+
+
+def _freed(
+    problem: Problem, unknowns: Reals, name: str, value: float, error: float
+) -> tuple[float, float]:
+    """Return what a fit finds for something held, and its standard error.
+
+    A score is the first step to it, which is far too short where the motion is not linear in it.
+    """
+    freed = problem.freed(name)
+    held = float(problem.values(unknowns)[name])
+    begin = problem.moved(unknowns, freed, **{name: held})
+    found = freed.refine(begin, "linear", ROUGH, _STEPS_OF_FREED)
+    normal = found.jac.T @ found.jac
+    place = freed.names.index(name)
+    variance = float(np.linalg.pinv(normal)[place, place])
+    if not variance > 0.0 or not found.cost < problem.cost(unknowns):
+        return value, error
+    return float(found.x[place]), math.sqrt(variance)
 
 
 def _structure(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:

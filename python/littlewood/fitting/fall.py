@@ -14,9 +14,10 @@ import numpy.typing as npt
 from .._internal.elementwise import Reals
 from .._internal.extras import require
 from ..hoop import Hoop
+from .noise import EFFICIENCY, LEAST_ERROR, error_of_frames
 from .track import Track
 
-__all__ = ["Fall", "fall_of"]
+__all__ = ["Fall", "fall_of", "never_flies"]
 
 
 # A clock is called wrong where good tracks are by chance once in so many.
@@ -32,11 +33,7 @@ _FLOOR = 0.1
 # Akaike. A flight that ends in the air, because frames are wrong, is not that cheap.
 _LANDING = 2.0
 _BROKEN = 28.0
-# No tracker resolves a millionth of a radius.
-_LEAST_ERROR = 1e-6
-# A median tells a standard deviation as well as all values would that are so many times fewer.
-_EFFICIENCY = 0.37
-_ORDERS = (2, 3, 4, 5)
+_FEWEST = 4
 _TURNS = 8
 # A variance that changes by less, as a part, remains.
 _SAME = 0.02
@@ -149,7 +146,7 @@ def fall_of(track: Track, hoop: Hoop) -> Fall | None:
         if best.left < 1 or not best.gravity > 0.0:
             return None
         variance, left = _variance(best, frames.known)
-        variance = max(variance, float(np.max(frames.weight)) * _LEAST_ERROR**2)
+        variance = max(variance, float(np.max(frames.weight)) * LEAST_ERROR**2)
         # The price of a landing is for errors of size 1.
         if abs(variance - 1.0) < _SAME:
             break
@@ -169,6 +166,14 @@ def fall_of(track: Track, hoop: Hoop) -> Fall | None:
     )
 
 
+def never_flies(track: Track, hoop: Hoop) -> bool:
+    """Whether a track shows that the hoop is never above the plane, but for errors of frames."""
+    plane = _in_the_plane(track, hoop)
+    if plane is None or plane.time.size < _FEWEST:
+        return False
+    return not np.any(plane.y > plane.floor + plane.chance)
+
+
 def _variance(best: _Fit, known: float) -> tuple[float, float]:
     """Return the variance of frames over what is thought of it, and its degrees of freedom.
 
@@ -182,8 +187,31 @@ def _variance(best: _Fit, known: float) -> tuple[float, float]:
     return (best.squares + known) / (left + known), left + known
 
 
-def _in_the_air(track: Track, hoop: Hoop) -> _Frames | None:
-    """Return the frames in which a hoop is above the plane."""
+@dataclass(frozen=True, kw_only=True, eq=False)
+class _InPlane:
+    """A track in the axes of the plane, where both its angle and its height were seen.
+
+    Attributes
+    ----------
+    time, theta, y : ndarray
+        Times, angles, heights of the middle.
+    sigma : float
+        Standard deviation of a height from frame to frame.
+    chance : float
+        So far above the floor is, by chance, half a frame of all if none is in the air.
+    floor : float
+        Height in contact.
+    """
+
+    time: Reals
+    theta: Reals
+    y: Reals
+    sigma: float
+    chance: float
+    floor: float
+
+
+def _in_the_plane(track: Track, hoop: Hoop) -> _InPlane | None:
     theta, y = track.theta, track.y
     if theta is None or y is None:
         return None
@@ -194,22 +222,30 @@ def _in_the_air(track: Track, hoop: Hoop) -> _Frames | None:
         y = y * math.cos(hoop.slope) - track.x * math.sin(hoop.slope)
     seen = np.isfinite(theta) & np.isfinite(y)
     time, theta, y = track.time[seen], theta[seen], y[seen]
-    if time.size < 4:
+    if time.size < _FEWEST:
         return None
-    sigma = _error_of_frames(y)
-    # So high that of all frames in contact half a one is, by chance.
+    sigma = error_of_frames(y)
     chance = NormalDist().inv_cdf(1.0 - 0.5 / time.size) * sigma
     floor = float(np.median(y[y <= np.sort(y)[2] + 2.0 * chance]))
-    high = y > floor + max(_HIGH, chance)
+    return _InPlane(time=time, theta=theta, y=y, sigma=sigma, chance=chance, floor=floor)
+
+
+def _in_the_air(track: Track, hoop: Hoop) -> _Frames | None:
+    """Return the frames in which a hoop is above the plane."""
+    plane = _in_the_plane(track, hoop)
+    if plane is None:
+        return None
+    time, theta, y, floor = plane.time, plane.theta, plane.y, plane.floor
+    high = y > floor + max(_HIGH, plane.chance)
     if not high.any():
         return None
     speed = np.diff(y) / np.diff(time)
     # A hoop comes down from one frame and goes up to the next as fast as anywhere in the track, or
     # twice as fast: between two frames it turns and falls faster than on their mean.
-    reach = 2.0 * (float(np.max(np.abs(speed))) * np.diff(time) + chance)
+    reach = 2.0 * (float(np.max(np.abs(speed))) * np.diff(time) + plane.chance)
     lands = np.concatenate([[True], y[:-1] + y[1:] - 2.0 * floor <= reach])
     begins = high & ~np.concatenate([[False], high[:-1]])
-    variance = sigma**2 + np.square(hoop.h * np.sin(theta) * _error_of_frames(theta))
+    variance = plane.sigma**2 + np.square(hoop.h * np.sin(theta) * error_of_frames(theta))
     return _Frames(
         time=time[high],
         height=(y + hoop.h * np.cos(theta))[high],
@@ -218,23 +254,8 @@ def _in_the_air(track: Track, hoop: Hoop) -> _Frames | None:
         begins=begins[high],
         lands=lands[high],
         floor=floor,
-        known=_EFFICIENCY * time.size,
+        known=EFFICIENCY * time.size,
     )
-
-
-def _error_of_frames(values: Reals) -> float:
-    """Return the standard deviation of what differs from frame to frame, by differences.
-
-    A motion leaves the less of them the higher their order, and a transition a few of them alone.
-    """
-    found = math.inf
-    for order in _ORDERS:
-        change = np.diff(values, order)
-        if change.size >= 5:
-            # Of normal errors half are within 0.6745 standard deviations.
-            size = float(np.median(np.abs(change))) / 0.6745
-            found = min(found, size / math.sqrt(math.comb(2 * order, order)))
-    return max(found, _LEAST_ERROR) if math.isfinite(found) else float(np.std(values))
 
 
 def _flights(frames: _Frames, gravity: float | None) -> list[slice]:

@@ -14,16 +14,19 @@ import numpy as np
 import numpy.typing as npt
 
 from .._internal.elementwise import Reals, real
-from .._internal.extras import progress_bar
+from .._internal.extras import progress_bar, require
 from ..hoop import Hoop
 from ..trajectory import Trajectory
 from .calibration import checked
 from .diagnostics import Doubt, doubts_of_residuals
 from .estimate import Estimate
-from .noise import Noise
-from .problem import FINE, LEAST_INERTIA, OF_HOOP, ROUGH, Problem
+from .fall import never_flies
+from .noise import Noise, error_of_frames
+from .problem import FINE, OF_HOOP, ROUGH, Problem
 from .profile import rise
 from .result import FitResult, FitWarning, IdentifiabilityWarning
+from .search import STEPS, explains, first_guess, guesses_followed
+from .sequences import Compared, compared
 from .track import Track
 
 __all__ = ["fit"]
@@ -32,36 +35,14 @@ __all__ = ["fit"]
 # The coefficient of restitution says how a motion goes on that would end at its landing: it is
 # asked for.
 _BY_DEFAULT = ("mu_s", "mu_k", "inertia")
-# Coefficients and inertias that are tried first, because a motion depends smoothly on them only as
-# long as the sequence of its phases is the same.
-_TRY_MU_K = (0.05, 0.12, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0)
-_TRY_STEP = (0.01, 0.05, 0.1, 0.2, 0.4)
-_TRY_INERTIA = (0.6, 0.8, 1.0, 1.25, 1.6)
-_TRY_SLIP = (0.0, -3.0, -2.0, -1.2, -0.5, 0.5, 1.2, 2.0, 3.0)
-_BEST = 6
-# How many frames tell which guesses are the best.
-_FRAMES_OF_GUESS = 50
-# Parts of the track over which a coefficient of restitution is sought, and how many guesses are
-# followed over each.
-_PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
-_BEST_OF_PART = 4
-_STEPS_OF_SEARCH = 60
-# A guess foretells a longer part where the residuals there are, on average, at most so many times
-# those of the part it fits.
-_FORETELLS = 2.0
-# Guesses that differ by less lead to the same minimum.
-_SAME = 1e-3
 # How often the errors are estimated from the residuals, at most.
 _TURNS = 12
-# Neighbours of a fit whose sequences are looked at, how far they are in standard errors, how many
-# other sequences are fitted, and the probability from which one is named.
-_NEIGHBOURS = 40
-_SPREAD = 3.0
-_MOVES = (1.0, 2.0, 4.0, 8.0)
-_LEAST_MOVE = 0.01
-_RIVALS = 2
-_STEPS_OF_RIVAL = 15
-_RIVAL = 0.01
+# The probability from which another sequence is named.
+_RIVAL = 0.05
+# A start whose slip seems to be at most so large, √(g R), may roll.
+_MAY_ROLL = 0.5
+# Errors of places before constants of the camera are estimated, R.
+_PLANE = 0.01
 # A parameter is at a bound if it is nearer to it than this part of its standard error.
 _AT_BOUND = 0.01
 # The profile likelihood is looked at so many standard errors away; a normal interval is wrong where
@@ -69,6 +50,8 @@ _AT_BOUND = 0.01
 # of two, or more.
 _PROFILED = 2.0
 _OTHER_RISE = 4.0
+# Degrees of freedom of a variance that is known.
+_MANY = 1e6
 _DEPENDENT = "the motion does not depend on it, apart from the others"
 
 
@@ -197,7 +180,7 @@ def fit(
             f"sigma has {', '.join(unknown)}, the track has {', '.join(track.channels)}"
         )
     given = {name: real(value, f"start of {name}") for name, value in (start or {}).items()}
-    first = _first_guess(track, hoop.slope, given)
+    first = first_guess(track, hoop.slope, given)
     names = [*(name for name in OF_HOOP if name in free), "start_theta", "start_theta_rate"]
     names += ["start_x"] if track.x is not None else []
     names += ["start_slip"] if slips_at_start else []
@@ -208,10 +191,15 @@ def fit(
         )
     camera = checked(track.calibration if calibration is None else calibration, track.channels)
     known = {name: Noise(real(value, f"sigma of {name}")) for name, value in (sigma or {}).items()}
-    noise = dict.fromkeys(track.channels, Noise(1.0)) | known
-    problem = Problem(track, hoop, tuple(names), first, noise, slips_at_start)
-    parts, best_of_part = (_PARTS, _BEST_OF_PART) if "restitution" in names else ((1.0,), _BEST)
-    total = len(parts) * best_of_part * search + _TURNS + 1
+    # Before constants of the camera are estimated, places are known to a per cent.
+    unsure = _PLANE if camera else 0.0
+    noise = {
+        name: Noise(math.hypot(error_of_frames(values[np.isfinite(values)]), unsure))
+        for name, values in track.channels.items()
+    }
+    problem = Problem(track, hoop, tuple(names), first, noise | known, slips_at_start)
+    flies = not never_flies(track, hoop)
+    total = STEPS * search + _TURNS + 1
     with progress_bar(total, "steps", progress) as show:
         done = itertools.count(1)
 
@@ -220,7 +208,7 @@ def fit(
 
         others: list[Reals] = []
         if search:
-            unknowns, *others = _search(problem, loss, start or {}, parts, best_of_part, step)
+            problem, unknowns, *others = _searched(problem, loss, given, flies, step)
         elif camera:
             # Without its constants the fit would leave the sequence of phases of a good guess.
             unknowns = problem.guess()
@@ -244,189 +232,35 @@ def fit(
             if is_last:
                 break
         if loss == "linear":
-            best, sequences = _compared(problem, best, others)
+            found = compared(problem, best, others, slips_at_start, flies)
         else:
-            sequences = {problem.motion(best.x).sequence: 1.0}
+            found = Compared(problem, best, {problem.motion(best.x).sequence: 1.0}, None)
         # Fewer guesses, or turns, may have been enough.
         show(total)
-    return _result(problem, best, sequences, known, loss)
+    return _result(found, known, loss)
 
 
-def _first_guess(track: Track, slope: float, given: dict[str, float]) -> dict[str, float]:
-    """Read the start off a parabola through the first frames.
-
-    On a slope it is read as if the hoop were in contact.
-    """
-    unknown = [name for name in given if name not in ("theta", "theta_rate", "slip", "x")]
-    if unknown:
-        raise ValueError(f"start has {', '.join(unknown)}; it can have theta, theta_rate, slip, x")
-
-    def parabola(values: Reals) -> tuple[float, float]:
-        seen = np.flatnonzero(np.isfinite(values))[: max(6, len(track.time) // 8)]
-        if seen.size < 3:
-            raise ValueError("fewer than three frames with an angle or a position")
-        time = track.time[seen] - track.time[0]
-        curve = np.polyfit(time, values[seen], 2)
-        for _ in range(3):
-            # Outliers among the first frames would send the search astray.
-            distance = np.abs(values[seen] - np.polyval(curve, time))
-            kept = distance <= 4.0 * np.median(distance) + 1e-12
-            if kept.sum() >= 3:
-                curve = np.polyfit(time[kept], values[seen][kept], 2)
-        _, rate, value = curve
-        return float(value), float(rate)
-
-    guess = {"theta": 0.0, "theta_rate": 0.0, "slip": 0.0, "x": 0.0}
-    turned = slope if track.level else 0.0
-    if track.x is not None:
-        guess["x"], velocity = parabola((track.x + math.sin(turned)) / math.cos(turned))
-        guess["theta_rate"] = -velocity
-    if track.theta is not None:
-        guess["theta"], guess["theta_rate"] = parabola(track.theta - turned)
-        if track.x is not None:
-            guess["slip"] = velocity + guess["theta_rate"]
-    return guess | given
-
-
-def _guesses(problem: Problem, given: Mapping[str, float]) -> list[Reals]:
-    """Return the unknowns at many places."""
-    free, first, any_angle = problem.names, problem.first, problem.track.theta is None
-    angles, rates = [first["theta"]], [first["theta_rate"]]
-    mu_k: tuple[float, ...] = (problem.hoop.mu_k, *(_TRY_MU_K if "mu_k" in free else ()))
-    factors: tuple[float, ...] = _TRY_INERTIA
-    steps: tuple[float, ...] = _TRY_STEP
-    if any_angle:
-        # A position alone says nothing of the angle, and of its rate only where the hoop rolls.
-        factors, steps, mu_k = (1.0,), _TRY_STEP[2:4], mu_k[:: 1 if len(mu_k) == 1 else 2]
-        if "theta" not in given:
-            angles = list(np.linspace(-math.pi, math.pi, 24, endpoint=False))
-        if problem.slips and "theta_rate" not in given:
-            rates = [rates[0] + slip for slip in _TRY_SLIP]
-    inertias = (
-        [problem.hoop.inertia * factor for factor in factors]
-        if "inertia" in free
-        else [problem.hoop.inertia]
-    )
-    velocity = first["slip"] - first["theta_rate"]
-    guesses = []
-    for angle, rate, kinetic, inertia in itertools.product(angles, rates, mu_k, inertias):
-        static = (
-            (problem.hoop.mu_s, *(kinetic + step for step in steps))
-            if "mu_s" in free
-            else (problem.hoop.mu_s,)
-        )
-        start = {"theta": float(angle), "theta_rate": rate}
-        if any_angle and problem.slips and "slip" not in given:
-            start["slip"] = velocity + rate
-        for mu_s in static:
-            if kinetic <= mu_s:
-                inertia = max(inertia, 2.0 * LEAST_INERTIA)
-                guesses.append(problem.guess(mu_s=mu_s, mu_k=kinetic, inertia=inertia, **start))
-    return guesses
-
-
-def _search(
+def _searched(
     problem: Problem,
     loss: str,
     given: Mapping[str, float],
-    parts: Iterable[float],
-    best: int,
+    flies: bool,
     step: Callable[[], None],
-) -> list[Reals]:
-    """Refine the best of many guesses; return where they end, the best first.
+) -> tuple[Any, ...]:
+    """Search from a rolling start, where it may be one, and from one that slips.
 
-    Bounces hang on each other: a coefficient of restitution is sought over a growing part of the
-    track, and sought anew where what fits one part does not foretell the next.
+    Return the problem with the start that explains the track, and where guesses end.
     """
-    guesses = _guesses(problem, given)
-    foretold = 0.0
-    for part in parts:
-        shorter = problem.part(part)
-        sparse = shorter.sparse(_FRAMES_OF_GUESS)
-        misfits = [sparse.misfit(guess) for guess in guesses]
-        if min(misfits) > foretold:
-            others = [other for guess in guesses for other in problem.other_restitutions(guess)]
-            guesses, misfits = guesses + others, [*misfits, *map(sparse.misfit, others)]
-        # Guesses of one motion have one misfit: without an impact any restitution will do.
-        _, places = np.unique(misfits, return_index=True)
-        found = []
-        for i in places[:best]:
-            found.append(shorter.refine(guesses[i], loss, ROUGH, _STEPS_OF_SEARCH))
-            step()
-        found.sort(key=lambda result: float(result.cost))
-        guesses = _distinct([result.x for result in found])
-        foretold = _FORETELLS * shorter.misfit(guesses[0])
-    return guesses
-
-
-def _distinct(guesses: list[Reals]) -> list[Reals]:
-    """Return the guesses without those that one before them leads to the minimum of."""
-    kept: list[Reals] = []
-    for guess in guesses:
-        if not any(np.allclose(guess, other, rtol=_SAME, atol=_SAME) for other in kept):
-            kept.append(guess)
-    return kept
-
-
-def _compared(problem: Problem, best: Any, others: list[Reals]) -> tuple[Any, dict[str, float]]:
-    """Fit other sequences of phases.
-
-    Return the most probable fit and the probabilities of all.
-    """
-    rest = len(problem.names) - len(problem.camera_names)
-    random = np.random.default_rng(0)
-    low, high = problem.bounds()
-    # What the track does not tell is anything within about 1, as in `_evidence`.
-    root = np.sqrt(np.diag(np.linalg.inv(_normal(best))))
-    guesses = [np.concatenate([other[:rest], best.x[rest:]]) for other in others]
-    # Neighbours within a few standard errors, in all directions and by one parameter, which may be
-    # of another sequence.
-    for k, name in enumerate(problem.names):
-        if name in OF_HOOP:
-            moves = np.zeros((2 * len(_MOVES), root.size))
-            moves[:, k] = np.concatenate([_MOVES, np.negative(_MOVES)]) * max(root[k], _LEAST_MOVE)
-            guesses += list(np.clip(best.x + moves, low, high))
-    for _ in range(_NEIGHBOURS):
-        guesses.append(np.clip(best.x + _SPREAD * root * random.normal(size=root.size), low, high))
-    found = {problem.motion(best.x).sequence: best}
-    nearest: dict[str, tuple[float, Reals]] = {}
-    for guess in guesses:
-        sequence = problem.motion(guess).sequence
-        if sequence not in found:
-            misfit = problem.misfit(guess)
-            if sequence not in nearest or misfit < nearest[sequence][0]:
-                nearest[sequence] = misfit, guess
-    for _, guess in sorted(nearest.values(), key=lambda one: one[0])[:_RIVALS]:
-        other = problem.refine(guess, "linear", ROUGH, _STEPS_OF_RIVAL)
-        sequence = problem.motion(other.x).sequence
-        if sequence not in found or other.cost < found[sequence].cost:
-            found[sequence] = other
-    evidence = {sequence: _evidence(one) for sequence, one in found.items()}
-    most = max(evidence.values())
-    weights = {
-        sequence: math.exp(max(value - most, -700.0)) for sequence, value in evidence.items()
-    }
-    order = sorted(weights, key=lambda sequence: -weights[sequence])
-    total = sum(weights.values())
-    winner = found[order[0]]
-    if winner is not best:
-        winner = problem.refine(winner.x, "linear", FINE)
-    return winner, {sequence: weights[sequence] / total for sequence in order}
-
-
-def _evidence(found: Any) -> float:
-    """Return the logarithm of the probability of the measurements for a sequence.
-
-    By Laplace's method.
-
-    Beforehand each unknown is anything within about 1, in the units of the hoop.
-    """
-    return -float(found.cost) - 0.5 * float(np.linalg.slogdet(_normal(found))[1])
-
-
-def _normal(found: Any) -> Reals:
-    """Return the normal matrix of a fit, with what is known beforehand."""
-    return np.asarray(found.jac.T @ found.jac + np.eye(found.x.size))
+    if not problem.slips or "slip" in given or abs(problem.first["slip"]) > _MAY_ROLL:
+        return problem, *guesses_followed(problem, loss, given, flies, step)
+    rolling = problem.rolling()
+    found = guesses_followed(rolling, loss, given, flies, step)
+    if explains(rolling, found[0]):
+        return rolling, *found
+    slipping = guesses_followed(problem, loss, given, flies, step)
+    if rolling.cost(found[0]) <= problem.cost(slipping[0]):
+        return rolling, *found
+    return problem, *slipping
 
 
 def _bounds_met(problem: Problem, best: Any, covariance: Reals) -> list[str]:
@@ -440,11 +274,11 @@ def _bounds_met(problem: Problem, best: Any, covariance: Reals) -> list[str]:
     return met
 
 
-def _result(
-    problem: Problem, best: Any, sequences: dict[str, float], known: Mapping[str, Noise], loss: str
-) -> FitResult:
+def _result(found: Compared, known: Mapping[str, Noise], loss: str) -> FitResult:
+    problem, best, sequences = found.problem, found.best, found.sequences
     names = problem.names
     covariance, lost = _covariance(best.jac)
+    moments = None if found.told is None else found.told.moments
     met = _bounds_met(problem, best, covariance)
     at_bound = False
     if "mu_s" in names and "mu_k" in names:
@@ -453,6 +287,7 @@ def _result(
         change = np.eye(len(names))
         change[excess, kinetic] = 1.0
         covariance = change @ covariance @ change.T
+        moments = None if moments is None else change @ moments @ change.T
         at_bound = best.active_mask[excess] != 0
         lost[excess] |= lost[kinetic]
     values = problem.values(best.x)
@@ -497,6 +332,12 @@ def _result(
         message = f"with the probability in brackets the phases are {words}, not {motion.sequence}"
         doubts.append(Doubt("sequences", message, tuple(sequence for sequence, _ in second)))
     doubts += _wrong_intervals(problem, best, covariance, estimates, loss)
+    if found.told is not None and moments is not None:
+        covariance = _as_sampled(covariance, moments, found.told.effective)
+        estimates = {
+            name: replace(one, std_error=math.sqrt(covariance[i, i]))
+            for i, (name, one) in enumerate(estimates.items())
+        }
     doubts += doubts_of_residuals(problem, best.x, known, loss != "linear")
     result = FitResult(
         hoop=motion.hoop,
@@ -548,6 +389,22 @@ def _wrong_intervals(
         "number in brackets times as much): take profile_interval"
     )
     return [Doubt("interval", message, tuple(wrong))]
+
+
+def _as_sampled(covariance: Reals, moments: Reals, effective: float) -> Reals:
+    """Return a covariance whose standard errors are those of samples, where these differ.
+
+    That is where the F test of the two variances says so at 1 %: the likelihood is no parabola.
+    """
+    fdtri = require("scipy.special").fdtri
+    low, high = (float(fdtri(effective, _MANY, part)) for part in (0.005, 0.995))
+    normal, sampled = np.diag(covariance), np.diag(moments)
+    finite = np.isfinite(normal) & (normal > 0.0)
+    ratio = np.where(finite, sampled / np.where(finite, normal, 1.0), 1.0)
+    factor = np.sqrt(np.where((ratio < low) | (ratio > high), ratio, 1.0))
+    found = covariance * factor * factor[:, None]
+    found[~np.isfinite(covariance)] = math.inf
+    return np.asarray(found)
 
 
 def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:

@@ -39,6 +39,7 @@ _STEEPEST = 1.57
 _FASTEST = 1e3
 _CAMERA = "camera_"
 _EXPOSURE = "camera_exposure"
+_SLIP = "start_slip"
 # Bounds of what may be held.
 _HELD = {"mu_k": (0.0, math.inf), "inertia": (LEAST_INERTIA, math.inf), "restitution": (0.0, 1.0)}
 _HELD[_EXPOSURE] = (0.0, math.inf)
@@ -147,6 +148,27 @@ class Problem:
         place = self.names.index("restitution")
         return [np.insert(np.delete(guess, place), place, e) for e in _TRY_RESTITUTION]
 
+    def rolling(self) -> Problem:
+        """Return the same for a hoop that does not slip at the start."""
+        names = tuple(name for name in self.names if name != _SLIP)
+        return replace(self, names=names, slips=False)
+
+    def slipping(self) -> Problem:
+        """Return the same for a hoop that slips at the start."""
+        place = len(self.names) - len(self.camera_names)
+        names = (*self.names[:place], _SLIP, *self.names[place:])
+        return replace(self, names=names, slips=True)
+
+    def freed(self, name: str) -> Problem:
+        """Return the same with something among the unknowns that is held."""
+        place = len(self.names) - len(self.camera_names)
+        return replace(self, names=(*self.names[:place], name, *self.names[place:]))
+
+    def moved(self, unknowns: Reals, to: Problem, **more: float) -> Reals:
+        """Return the unknowns as those of another problem, which may have more."""
+        known = dict(zip(self.names, unknowns, strict=True)) | more
+        return np.array([known[name] for name in to.names])
+
     def part(self, part: float) -> Problem:
         """Return the same for the first part of the track."""
         begin, end = float(self.track.time[0]), float(self.track.time[-1])
@@ -170,9 +192,10 @@ class Problem:
             "restitution": (0.0, 1.0),
             "slope": (-_STEEPEST, _STEEPEST),
             "start_theta_rate": (-_FASTEST, _FASTEST),
-            "start_slip": (-_FASTEST, _FASTEST),
+            _SLIP: (-_FASTEST, _FASTEST),
             _EXPOSURE: (0.0, self._longest),
         }
+        within |= {name: _HELD[name] for name in _MEASURED}
         pairs = [within.get(name, (-math.inf, math.inf)) for name in self.names]
         return [low for low, _ in pairs], [high for _, high in pairs]
 
@@ -258,6 +281,11 @@ class Problem:
         camera = unknowns[unknowns.size - self._before.size :]
         return np.concatenate([*parts, (camera - self._before) / self._deviation])
 
+    def cost(self, unknowns: Reals) -> float:
+        """Return half the sum of squares, as a fit has it."""
+        scaled = self.scaled(unknowns)
+        return 0.5 * float(scaled @ scaled)
+
     def misfit(self, unknowns: Reals) -> float:
         """Return the mean size of the residuals."""
         return float(np.mean(np.abs(self.scaled(unknowns))))
@@ -314,7 +342,20 @@ class Problem:
         """Return the derivatives by the unknowns; NaN by those by which the motion has none."""
         pictures, camera = self._pictures(values), _camera_of(values)
         names = [name for name in self.names if not name.startswith(_CAMERA)]
-        change = pictures.derivatives([name.removeprefix("start_") for name in names])
+        of_motion = [name for name in names if name not in (*_MEASURED, CLOCK)]
+        known = pictures.derivatives([name.removeprefix("start_") for name in of_motion])
+        # What is weighed or measured is freed by a doubt alone: differences are good enough.
+        change = {
+            channel: np.column_stack(
+                [
+                    rows[:, of_motion.index(name)]
+                    if name in of_motion
+                    else np.full(rows.shape[0], np.nan)
+                    for name in names
+                ]
+            )
+            for channel, rows in known.items()
+        }
         if "mu_s" in names and "mu_k" in names:
             # The unknown is the excess of mu_s over mu_k.
             for rows in change.values():

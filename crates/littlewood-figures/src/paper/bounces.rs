@@ -7,7 +7,7 @@ use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Cause, Mode, Phase, Transition};
 use littlewood_draw::{
     Content, Entries, Figure, IMPULSE, INK, Label, Layer, Mark, Panel, PanelFrame, Piece, PlotAxis,
-    SMALL, SOFT, Scale, Series, Sheet, Stroke, short,
+    Range, SMALL, SOFT, Scale, Series, Sheet, Stroke, short,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::CURVE;
@@ -94,12 +94,12 @@ fn landings(motion: &Shown) -> Vec<Landing> {
 /// The gap against time, from the first of two times to the second.
 fn gap_panel(
     motion: &Shown,
-    range: [f64; 2],
+    range: Range,
     landings: &[Landing],
     settled: &[Settled<'_>],
 ) -> Content {
     let say = motion.say;
-    let shown = motion.up_to(range[1]);
+    let shown = motion.up_to(range.to);
     // Those by which a hoop settles have no height.
     let is_flight = |phase: &&Phase| matches!(phase.solution(), PhaseSolution::Flight(flight) if !flight.settles());
     let pieces = motion.phases().iter().filter(is_flight).map(|phase| {
@@ -108,20 +108,20 @@ fn gap_panel(
     });
     let gap = Series::new(GAP, &[TIME, GAP], pieces);
     let highest = bounds(gap.rows().map(|row| row[1]), 0.0)[1].max(f64::MIN_POSITIVE);
-    let y = say.axis(GAP, "gap", [0.0, 1.12 * highest]);
+    let y = say.axis(GAP, "gap", [0.0, 1.12 * highest].into());
     let mut layers: Vec<Layer> = Vec::new();
     let mut labels = Vec::new();
     for end in settled {
         let (at, name) = (end.transition.time(), end.transition.cause.label());
-        if at > range[1] {
+        if at > range.to {
             continue;
         }
-        let vertical = y.range.map(|value| [at, value]);
+        let vertical = y.range.ends().map(|value| [at, value]);
         layers.push(Series::of_rows(name, &[TIME, GAP], vertical).drawn(VERTICAL));
         let time = say.value(at, Dimension::Time);
         let text = format!("{name}, {} = {time}", say.time());
-        let label = Label::new(text, &[at, y.range[1]]).sized(SMALL);
-        let is_early = at < range[0] + 0.25 * (range[1] - range[0]);
+        let label = Label::new(text, &[at, y.range.to]).sized(SMALL);
+        let is_early = at < range.from + 0.25 * range.length();
         labels.push(if is_early {
             label.shifted(7.0, 14.0).left()
         } else {
@@ -203,12 +203,12 @@ fn rate_panel(landings: &[Landing], settled: &[Settled<'_>], say: Wording) -> (C
         name: "rates",
         x: PlotAxis {
             scale: Scale::Whole,
-            ..say.axis(NUMBER, "number of the landing", x_range)
+            ..say.axis(NUMBER, "number of the landing", x_range.into())
         },
         y: PlotAxis {
             title: say.title(SampleColumn::GapRate.long_name(), Dimension::Velocity),
             scale: Scale::Decades,
-            ..say.axis(LOG_GAP_RATE, "", y_range)
+            ..say.axis(LOG_GAP_RATE, "", y_range.into())
         },
         layers,
         labels,
@@ -254,7 +254,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         width: inner,
         height: bottom - 10.0,
     };
-    let gap = gap_panel(&motion, range, &found, &settled);
+    let gap = gap_panel(&motion, range.into(), &found, &settled);
     let mut panels = vec![Sheet::panel(frame, gap)];
     let rebounds = |landing: &Landing| landing.impact.after.gap_rate > 0.0;
     let below = if found.iter().any(rebounds) {

@@ -134,8 +134,8 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
 fn content(input: &FigureInput, layers: Vec<Layer>, labels: Vec<Label>) -> Content {
     Content {
         name: "plane",
-        x: input.wording().angle(WINDOW.x),
-        y: input.wording().rate(WINDOW.y),
+        x: input.wording().angle(WINDOW.x.into()),
+        y: input.wording().rate(WINDOW.y.into()),
         layers,
         labels,
     }

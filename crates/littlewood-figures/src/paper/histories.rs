@@ -42,7 +42,7 @@ pub(super) fn weight_level(
     axis: &PlotAxis,
     width: f64,
 ) -> (Layer, Label) {
-    let [low, high] = axis.range;
+    let [low, high] = axis.range.ends();
     let weight = normal_weight(motion.hoop());
     let text = if motion.hoop().slope() == 0.0 {
         "weight"
@@ -115,7 +115,9 @@ fn demand_panel(motion: &Shown, spikes: &Spikes) -> Content {
     };
     // Without friction the axis has a length all the same.
     let highest = if highest > 0.0 { highest } else { 0.1 };
-    let y = motion.say.axis(DEMAND, "|*F*|/*N*", [0.0, 1.25 * highest]);
+    let y = motion
+        .say
+        .axis(DEMAND, "|*F*|/*N*", [0.0, 1.25 * highest].into());
     let mut layers = vec![motion.verticals(&y, DEMAND)];
     let mut labels = Vec::new();
     let [from, to] = motion.times();
@@ -287,7 +289,9 @@ fn lost_panel(motion: &Shown) -> Content {
     } else {
         0.1 * size
     };
-    let y = motion.say.axis(LOST, "*E*_{0} − *E*", [-0.08 * most, most]);
+    let y = motion
+        .say
+        .axis(LOST, "*E*_{0} − *E*", [-0.08 * most, most].into());
     let mut layers = motion.ground(&y, LOST);
     layers.push(Series::of_rows("lost", &[TIME, LOST], rows).drawn(Stroke::solid(INK, CURVE)));
     motion.panel("energy lost", y, layers, Vec::new())

@@ -172,6 +172,8 @@ impl Diagram {
                 continue;
             };
             ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            let [left, right] = ends;
+            let ends = Ends { left, right };
             let text = match style {
                 ImpulseLine::Sticking => "*u* = 0",
                 ImpulseLine::Compression => "*w* = 0",
@@ -204,7 +206,7 @@ impl Diagram {
     }
 
     /// At the upper end of the line without slip.
-    fn beside_sticking(&self, [left, right]: [[f64; 2]; 2]) -> Beside {
+    fn beside_sticking(&self, Ends { left, right }: Ends) -> Beside {
         let at = if left[1] > right[1] { left } else { right };
         Beside {
             at,
@@ -214,7 +216,7 @@ impl Diagram {
     }
 
     /// At the end of another line that is away from the course.
-    fn beside_other(&self, [left, right]: [[f64; 2]; 2]) -> Beside {
+    fn beside_other(&self, Ends { left, right }: Ends) -> Beside {
         let least = LEAST_PLACE * self.window.y[1];
         // A jam is compressed most on a line through the origin, where there is no room.
         let is_low = |end: [f64; 2]| end[1] < least;
@@ -298,6 +300,12 @@ fn greatest_compression(course: &[ImpactVertex]) -> Option<[f64; 2]> {
         let [a, b] = [0, 1].map(|end| point(&ends[end]));
         (from < 0.0 && to >= 0.0).then(|| [0, 1].map(|i| a[i] + share * (b[i] - a[i])))
     })
+}
+
+/// The ends of a line in the window.
+struct Ends {
+    left: [f64; 2],
+    right: [f64; 2],
 }
 
 /// Where a name stands beside a line: at an end of it, to its right or left, so far below.
@@ -421,8 +429,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let say = input.wording();
     let content = Content {
         name: "plane of impulses",
-        x: say.axis(FRICTION_IMPULSE, "*J*", diagram.window.x),
-        y: say.axis(NORMAL_IMPULSE, "*P*", diagram.window.y),
+        x: say.axis(FRICTION_IMPULSE, "*J*", diagram.window.x.into()),
+        y: say.axis(NORMAL_IMPULSE, "*P*", diagram.window.y.into()),
         layers: diagram.layers(),
         labels: diagram.labels(),
     };

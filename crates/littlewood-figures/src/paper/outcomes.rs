@@ -359,8 +359,8 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let say = input.wording();
     let content = Content {
         name: "plane",
-        x: say.angle(window.x),
-        y: say.rate(window.y),
+        x: say.angle(window.x.into()),
+        y: say.rate(window.y.into()),
         layers: drawing.layers,
         labels: Vec::new(),
     };

@@ -3,7 +3,8 @@
 use littlewood::tables::SampleColumn;
 use littlewood::{Mode, Sample};
 use littlewood_draw::{
-    Content, Entries, Figure, Mark, Piece, PlotAxis, ROOM, SOFT, Scale, Series, Stroke, marked,
+    Content, Entries, Figure, Mark, Piece, PlotAxis, ROOM, Range, SOFT, Scale, Series, Stroke,
+    marked,
 };
 use littlewood_style::width::FINE;
 
@@ -139,7 +140,7 @@ const fn column_name(column: SampleColumn) -> &'static str {
     }
 }
 
-fn axis_of(column: SampleColumn, range: [f64; 2], say: Wording) -> PlotAxis {
+fn axis_of(column: SampleColumn, range: Range, say: Wording) -> PlotAxis {
     let name = column_name(column);
     match column {
         SampleColumn::Theta => say.angle(range),
@@ -164,7 +165,7 @@ fn panel(motion: &Shown, samples: &Samples, column: SampleColumn) -> (Content, V
     let is_normal = column == SampleColumn::Normal;
     others.extend(is_normal.then(|| normal_weight(motion.hoop())));
     let History { modes, range } = History::new(samples, column, name, &others);
-    let axis = axis_of(column, range, motion.say);
+    let axis = axis_of(column, range.into(), motion.say);
     let mut layers = vec![motion.verticals(&axis, name)];
     if range[0] < 0.0 && range[1] > 0.0 {
         layers.push(motion.zero(name));

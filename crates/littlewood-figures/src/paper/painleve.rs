@@ -320,8 +320,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     );
     let content = Content {
         name: "plane",
-        x: say.angle(window.x),
-        y: say.axis(MU_K, &marked(Quantity::MuK.sign()), window.y),
+        x: say.angle(window.x.into()),
+        y: say.axis(MU_K, &marked(Quantity::MuK.sign()), window.y.into()),
         layers,
         labels,
     };

@@ -4,8 +4,8 @@
 use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, Trajectory};
 use littlewood_draw::{
-    Content, Entries, Figure, HATCH, INK, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, ROOM,
-    SMALL, SOFT, Scale, Series, Sheet, Stroke, short, tilted, width,
+    Content, Entries, Figure, HATCH, INK, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, Point,
+    ROOM, Range, SMALL, SOFT, Scale, Series, Sheet, Stroke, short, tilted, width,
 };
 use littlewood_style::width::{BOLD, FINE};
 
@@ -101,14 +101,14 @@ impl Extent {
         let seen = |height: fn(&Sample) -> f64| {
             samples
                 .iter()
-                .map(move |sample| tilted(slope, [sample.centre.x, height(sample)]))
+                .map(move |sample| tilted(slope, Point::new(sample.centre.x, height(sample))))
         };
         let centres = || seen(|sample| sample.centre.y);
-        let [left, right] = bounds(centres().map(|[x, _]| x), 0.0);
-        let [_, top] = bounds(centres().map(|[_, y]| y), 0.0);
+        let [left, right] = bounds(centres().map(|centre| centre.x), 0.0);
+        let [_, top] = bounds(centres().map(|centre| centre.y), 0.0);
         let low = centres()
-            .map(|[_, y]| y - 1.0)
-            .chain(seen(|_| 0.0).map(|[_, y]| y))
+            .map(|centre| centre.y - 1.0)
+            .chain(seen(|_| 0.0).map(|contact| contact.y))
             .fold(f64::INFINITY, f64::min);
         Self {
             left,
@@ -132,9 +132,9 @@ pub(super) struct Picture {
 
 impl Picture {
     /// Pixels of a radius in a picture of this range.
-    pub(super) fn unit(sheet: &Sheet, x: [f64; 2]) -> f64 {
+    pub(super) fn unit(sheet: &Sheet, x: Range) -> f64 {
         let [_, inner] = sheet.span();
-        (inner - ROOM[0]) / (x[1] - x[0])
+        (inner - ROOM[0]) / x.length()
     }
 
     /// The plane from side to side of the picture, below all else; on a slope from end to end.
@@ -146,7 +146,7 @@ impl Picture {
         } else {
             let corners = x
                 .into_iter()
-                .flat_map(|x| y.map(|y| tilted(-slope, [x, y])[0]));
+                .flat_map(|x| y.map(|y| tilted(-slope, Point { x, y }).x));
             bounds(corners, 0.0)
         };
         let line = [[left, 0.0], [right, 0.0]];
@@ -161,13 +161,16 @@ impl Picture {
     fn axes(&self) -> [PlotAxis; 2] {
         let Self { x, y, say, .. } = *self;
         if self.slope != 0.0 {
-            return [say.axis(X, "horizontal", x), say.axis(Y, "height", y)];
+            return [
+                say.axis(X, "horizontal", x.into()),
+                say.axis(Y, "height", y.into()),
+            ];
         }
         let y = PlotAxis {
             scale: Scale::NotNegative,
-            ..say.axis(Y, "*y*", y)
+            ..say.axis(Y, "*y*", y.into())
         };
-        [say.axis(X, "*x*", x), y]
+        [say.axis(X, "*x*", x.into()), y]
     }
 
     /// What a caption says of the axes of a picture on a slope.
@@ -270,7 +273,7 @@ fn with_hoops(motion: &Shown, input: &FigureInput) -> Result<(Picture, usize), F
     let samples: Vec<Sample> = motion.sample_evenly(400, motion.until).collect();
     let extent = Extent::of(&samples, slope);
     let x = across(motion, &extent);
-    let unit = Picture::unit(&sheet, x);
+    let unit = Picture::unit(&sheet, x.into());
     let instants = instants(motion);
     let (labels, rows) = names(&instants, say, slope, unit);
     let y = [

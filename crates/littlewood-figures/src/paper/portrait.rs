@@ -4,8 +4,8 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use littlewood::theory::Window;
 use littlewood_draw::{
-    FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, NORMAL_FORCE, REGION, SMALL,
-    Series, lift_off_condition, short,
+    FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, NORMAL_FORCE, Point, REGION,
+    SMALL, Series, lift_off_condition, short,
 };
 use littlewood_style::Curve;
 
@@ -18,16 +18,16 @@ use crate::plane::{Portrait, mirrored};
 fn names(portrait: &Portrait, slip: &Series, unloading: &Series, lift_off: &Series) -> Vec<Label> {
     let (most, hoop) = (portrait.window.y[1], &portrait.hoop);
     let mut labels = portrait.mark_of_unloading();
-    let f = portrait.name_of(slip, [0.62 * PI, 0.72 * most], "*f*");
+    let f = portrait.name_of(slip, Point::new(0.62 * PI, 0.72 * most), "*f*");
     labels.extend(f.map(|f| f.shifted(11.0, 0.0).coloured(FRICTION_FORCE)));
-    let n = portrait.name_of(unloading, [0.45 * PI, 0.72 * most], "*n*");
+    let n = portrait.name_of(unloading, Point::new(0.45 * PI, 0.72 * most), "*n*");
     labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
     // Without friction it has no area.
     if hoop.mu_s() > 0.0 {
         labels.push(Label::new("𝓡", &[PI, 0.62 * most]).sized(20.0));
     }
     let condition = lift_off_condition(hoop.slope());
-    let name = portrait.name_of(lift_off, [0.3 * PI, 0.93 * most], condition);
+    let name = portrait.name_of(lift_off, Point::new(0.3 * PI, 0.93 * most), condition);
     let name = name.map(|name| name.shifted(-8.0, 0.0).right().sized(SMALL));
     labels.extend(name.map(|name| name.coloured(NORMAL_FORCE)));
     labels
@@ -110,7 +110,7 @@ fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(portrait.orbits(&energies));
     let unloading = portrait.unloading_locus();
     let mut labels = Vec::new();
-    let n = portrait.name_of(&unloading, [0.3 * PI, 0.7 * window.y[1]], "*n*");
+    let n = portrait.name_of(&unloading, Point::new(0.3 * PI, 0.7 * window.y[1]), "*n*");
     labels.extend(n.map(|n| n.shifted(10.0, -4.0).coloured(NORMAL_FORCE)));
     let limit = portrait.massless_limit();
     if let Some((_, series)) = &limit {

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use littlewood_draw::{
-    Content, Figure, HATCH, INK, Label, Layer, Mark, PanelFrame, PlotAxis, SOFT, Series, Sheet,
-    Stroke, tilted,
+    Content, Figure, HATCH, INK, Label, Layer, Mark, PanelFrame, PlotAxis, Point, SOFT, Series,
+    Sheet, Stroke, tilted,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -24,9 +24,10 @@ const ARC: u32 = 180;
 const THETA: f64 = 0.8;
 /// Where its centre stands.
 const X: f64 = 2.1;
-const CENTRE: [f64; 2] = [X, 1.0];
+const CENTRE: Point = Point::new(X, 1.0);
+const ORIGIN: Point = Point::new(0.0, 0.0);
 /// Where the arrow of gravity begins.
-const GRAVITY: [f64; 2] = [3.45, 2.1];
+const GRAVITY: Point = Point::new(3.45, 2.1);
 /// Length of the horizontal at a slope.
 const SLOPE: f64 = 1.3;
 /// Length of a unit vector, and radius of the arc of θ.
@@ -44,45 +45,50 @@ struct Drawing {
     y: [f64; 2],
 }
 
+const fn at(x: f64, y: f64) -> Point {
+    Point { x, y }
+}
+
 /// A place so far from the centre along the radius of the particle, and so far across it.
-fn on_radius(distance: f64, across: f64) -> [f64; 2] {
+fn on_radius(distance: f64, across: f64) -> Point {
     let (sin, cos) = libm::sincos(THETA);
     let [x, y] = [X - distance * sin, 1.0 + distance * cos];
-    [x + across * cos, y + across * sin]
+    at(x + across * cos, y + across * sin)
 }
 
 /// The arc of a circle about the centre.
-fn arc(radius: f64, from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
+fn arc(radius: f64, from: f64, to: f64) -> impl Iterator<Item = Point> {
     (0..=ARC).map(move |i| {
         let (sin, cos) = libm::sincos(from + (to - from) * f64::from(i) / f64::from(ARC));
-        [CENTRE[0] - radius * sin, CENTRE[1] + radius * cos]
+        at(CENTRE.x - radius * sin, CENTRE.y + radius * cos)
     })
 }
 
 /// So far below the place of gravity, as the paper has it.
-fn beside_gravity(slope: f64, length: f64) -> [f64; 2] {
-    let [right, up] = tilted(-slope, [0.0, -length]);
-    [GRAVITY[0] + right, GRAVITY[1] + up]
+fn beside_gravity(slope: f64, length: f64) -> Point {
+    let along = tilted(-slope, at(0.0, -length));
+    at(GRAVITY.x + along.x, GRAVITY.y + along.y)
 }
 
 impl Drawing {
-    fn line(&mut self, name: &str, from: [f64; 2], to: [f64; 2], mark: impl Into<Mark>) {
+    fn line(&mut self, name: &str, from: Point, to: Point, mark: impl Into<Mark>) {
         let series = Series::of_rows(name, &COLUMNS, [from, to]);
         self.layers.push(series.drawn(mark));
     }
 
-    fn arrow(&mut self, name: &str, from: [f64; 2], to: [f64; 2], width: f64) {
+    fn arrow(&mut self, name: &str, from: Point, to: Point, width: f64) {
         self.line(name, from, to, Mark::Arrow(Stroke::solid(INK, width)));
     }
 
-    fn point(&mut self, name: &str, at: [f64; 2], mark: Mark) {
+    fn point(&mut self, name: &str, at: Point, mark: Mark) {
         self.layers
             .push(Series::of_rows(name, &COLUMNS, [at]).drawn(mark));
     }
 
     /// A text so far from a place, in pixels.
-    fn label(&mut self, text: &str, at: [f64; 2], right: f64, down: f64) {
-        self.labels.push(Label::new(text, &at).shifted(right, down));
+    fn label(&mut self, text: &str, at: Point, right: f64, down: f64) {
+        self.labels
+            .push(Label::new(text, &at.row()).shifted(right, down));
     }
 
     /// The plane and the directions.
@@ -92,23 +98,23 @@ impl Drawing {
         let ground = Series::of_rows("ground", &COLUMNS, ground);
         self.layers.push(ground.drawn(Mark::Hatch(HATCH)));
         let plane = Stroke::solid(INK, 1.4);
-        self.line("ground", [left, 0.0], [right, 0.0], plane);
+        self.line("ground", at(left, 0.0), at(right, 0.0), plane);
         let dotted = Stroke::solid(SOFT, FINE).dashed(Dash::Dashed);
-        self.line("normal", [X, 0.0], [X, 2.38], dotted);
+        self.line("normal", at(X, 0.0), at(X, 2.38), dotted);
         let radius = Stroke::solid(INK, CURVE);
         self.line("radius", CENTRE, on_radius(offset, 0.0), radius);
         self.arrow("e2", CENTRE, on_radius(1.55, 0.0), CURVE);
         self.arrow("e1", CENTRE, on_radius(0.0, UNIT), CURVE);
-        self.arrow("E1", [0.0, 0.0], [UNIT, 0.0], CURVE);
-        self.arrow("E2", [0.0, 0.0], [0.0, UNIT], CURVE);
+        self.arrow("E1", ORIGIN, at(UNIT, 0.0), CURVE);
+        self.arrow("E2", ORIGIN, at(0.0, UNIT), CURVE);
         let theta = Series::of_rows("theta", &COLUMNS, arc(UNIT, 0.0, THETA - 0.04));
         self.layers
             .push(theta.drawn(Mark::Arrow(Stroke::solid(INK, 1.0))));
         self.arrow("gravity", GRAVITY, beside_gravity(slope, 0.6), CURVE);
-        self.arrow("x", [0.0, -0.36], [X, -0.36], 1.0);
+        self.arrow("x", at(0.0, -0.36), at(X, -0.36), 1.0);
         let thin = Stroke::solid(INK, FINE);
-        self.line("x foot", [X, 0.0], [X, -0.46], thin);
-        self.line("x origin", [0.0, 0.0], [0.0, -0.46], thin);
+        self.line("x foot", at(X, 0.0), at(X, -0.46), thin);
+        self.line("x origin", ORIGIN, at(0.0, -0.46), thin);
         let rim = Series::of_rows("rim", &COLUMNS, arc(1.0, 0.0, 2.0 * PI));
         self.layers.push(rim.drawn(Stroke::solid(SOFT, BOLD)));
     }
@@ -142,18 +148,18 @@ impl Drawing {
         self.label("*m*_{2}", on_radius(offset, 0.0), -18.0, -2.0);
         self.labels
             .push(rim.shifted(8.0, -6.0).left().coloured(SOFT));
-        self.label("*X*_{P}", [X, 0.0], 14.0, 17.0);
+        self.label("*X*_{P}", at(X, 0.0), 14.0, 17.0);
         let middle = arc(UNIT, 0.5 * THETA, 0.5 * THETA).next();
         self.label("*θ*", middle.unwrap_or(CENTRE), -3.0, -11.0);
         self.label("`e`_{2}", on_radius(1.55, 0.0), -4.0, -10.0);
         self.label("`e`_{1}", on_radius(0.0, UNIT), 12.0, -5.0);
-        self.label("`E`_{1}", [UNIT, 0.0], 4.0, -13.0);
-        self.label("`E`_{2}", [0.0, UNIT], 0.0, -12.0);
-        self.label("*O*", [0.0, 0.0], -12.0, 12.0);
+        self.label("`E`_{1}", at(UNIT, 0.0), 4.0, -13.0);
+        self.label("`E`_{2}", at(0.0, UNIT), 0.0, -12.0);
+        self.label("*O*", ORIGIN, -12.0, 12.0);
         self.label("`g`", beside_gravity(slope, 0.3), 11.0, 0.0);
-        self.label("*x*", [0.5 * X, -0.36], 0.0, 0.0);
+        self.label("*x*", at(0.5 * X, -0.36), 0.0, 0.0);
         self.label("*ℓ*", on_radius(0.5 * offset, -OF_OFFSET), -9.0, 7.0);
-        let radius = [X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0)];
+        let radius = at(X + 0.5 * libm::sin(2.0), 1.0 + 0.5 * libm::cos(2.0));
         self.label("*R*", radius, 6.0, -10.0);
     }
 
@@ -161,16 +167,16 @@ impl Drawing {
     fn slope(&mut self, slope: f64) {
         let apex = self.x[usize::from(slope < 0.0)];
         let reach = f64::min(SLOPE, -self.y[0] / libm::sin(slope).abs());
-        let at = |share: f64, angle: f64| {
-            let [right, up] = tilted(-angle, [libm::copysign(share * reach, slope), 0.0]);
-            [apex + right, up]
+        let beside = |share: f64, angle: f64| {
+            let along = tilted(-angle, at(libm::copysign(share * reach, slope), 0.0));
+            at(apex + along.x, along.y)
         };
         let dotted = Stroke::solid(SOFT, FINE).dashed(Dash::Dashed);
-        self.line("horizontal", [apex, 0.0], at(1.0, slope), dotted);
-        let arc = (0..=ARC).map(|i| at(0.7, slope * f64::from(i) / f64::from(ARC)));
+        self.line("horizontal", at(apex, 0.0), beside(1.0, slope), dotted);
+        let arc = (0..=ARC).map(|i| beside(0.7, slope * f64::from(i) / f64::from(ARC)));
         let arc = Series::of_rows("slope", &COLUMNS, arc);
         self.layers.push(arc.drawn(Stroke::solid(INK, 1.0)));
-        self.label("*α*", at(0.82, 0.5 * slope), 0.0, 0.0);
+        self.label("*α*", beside(0.82, 0.5 * slope), 0.0, 0.0);
     }
 }
 
@@ -210,11 +216,11 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         drawing.length("h", h, OF_H);
     }
     // The radius R, to the right.
-    let rim = [X + libm::sin(2.0), 1.0 + libm::cos(2.0)];
+    let rim = at(X + libm::sin(2.0), 1.0 + libm::cos(2.0));
     drawing.arrow("R", CENTRE, rim, 1.0);
     drawing.point("C", CENTRE, Mark::Dot(INK, 2.8));
     drawing.point("particle", on_radius(offset, 0.0), Mark::Dot(INK, 6.5));
-    drawing.point("contact", [X, 0.0], Mark::Dot(INK, 2.8));
+    drawing.point("contact", at(X, 0.0), Mark::Dot(INK, 2.8));
     drawing.names(slope, offset);
     if has_two {
         let mass_centre = on_radius(h, 0.0);
@@ -227,17 +233,17 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     // The coordinates of the plane, turned.
     let corners = || {
-        let corner = |x| drawing.y.map(|y| tilted(slope, [x, y]));
+        let corner = |x| drawing.y.map(|y| tilted(slope, Point { x, y }));
         drawing.x.into_iter().flat_map(corner)
     };
-    let x = bounds(corners().map(|[x, _]| x), 0.0);
-    let y = bounds(corners().map(|[_, y]| y), 0.0);
+    let x = bounds(corners().map(|corner| corner.x), 0.0);
+    let y = bounds(corners().map(|corner| corner.y), 0.0);
     let sheet = input.sheet(SCALE * (x[1] - x[0]))?;
     let height = sheet.width * (y[1] - y[0]) / (x[1] - x[0]);
     let content = Content {
         name: "body",
-        x: PlotAxis::silent(X_COLUMN, x),
-        y: PlotAxis::silent(Y, y),
+        x: PlotAxis::silent(X_COLUMN, x.into()),
+        y: PlotAxis::silent(Y, y.into()),
         layers: drawing.layers,
         labels: drawing.labels,
     };

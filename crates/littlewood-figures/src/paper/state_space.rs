@@ -185,9 +185,9 @@ fn in_space(ranges: Ranges, say: Wording, layers: Vec<Layer>) -> Panel {
         rate: [front, back],
     } = ranges;
     let (x, y, z) = (
-        say.angle(ranges.theta),
-        say.slip(ranges.slip),
-        say.rate(ranges.rate),
+        say.angle(ranges.theta.into()),
+        say.slip(ranges.slip.into()),
+        say.rate(ranges.rate.into()),
     );
     let plane = Label::new("*η*′ = 0", &[right, 0.0, back]).shifted(-34.0, 14.0);
     let labels = vec![
@@ -318,8 +318,8 @@ fn slip_velocity(motion: &Shown) -> Content {
     }
     Content {
         name: "slip velocity",
-        x: motion.say.clock([from, until]),
-        y: motion.say.slip(range),
+        x: motion.say.clock([from, until].into()),
+        y: motion.say.slip(range.into()),
         layers,
         labels,
     }

@@ -4,8 +4,8 @@
 use littlewood::tables::Dimension;
 use littlewood::{Mode, Sample};
 use littlewood_draw::{
-    Entries, FAINT, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, SMALL, Series,
-    Stroke, tilted,
+    Entries, FAINT, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, Point, SMALL,
+    Series, Stroke, tilted,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::{BOLD, FINE};
@@ -152,7 +152,7 @@ fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries) -> 
         return false;
     }
     let radius = force_of_a_radius(largest);
-    let unit = Picture::unit(&picture.sheet, picture.x);
+    let unit = Picture::unit(&picture.sheet, picture.x.into());
     for force in FORCES {
         let arrows = force.arrows(samples, radius, unit);
         // One may be too short to be seen.
@@ -163,11 +163,12 @@ fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries) -> 
     }
     // As long as a radius, where a camera has its right upper corner.
     let (right, up) = (picture.x[1], picture.y[1] - 0.25);
-    let ends = [right - 1.2, right - 0.2].map(|right| tilted(-picture.slope, [right, up]));
+    let ends =
+        [right - 1.2, right - 0.2].map(|right| tilted(-picture.slope, Point::new(right, up)));
     let bar = Series::of_rows("scale of forces", &[X, Y], ends);
     picture.layers.push(bar.drawn(Stroke::solid(INK, BOLD)));
     let text = picture.say.quantity(radius, Dimension::Force);
-    let label = Label::new(text, &ends[0]).right().shifted(-6.0, 0.0);
+    let label = Label::new(text, &ends[0].row()).right().shifted(-6.0, 0.0);
     picture.labels.push(label.sized(SMALL));
     true
 }
@@ -204,7 +205,7 @@ fn picture(
         say,
         slope,
         x,
-        y: [low - 34.0 / Picture::unit(&sheet, x), top + 1.65],
+        y: [low - 34.0 / Picture::unit(&sheet, x.into()), top + 1.65],
         layers: Vec::new(),
         labels: labels.collect(),
     };

@@ -323,7 +323,7 @@ impl<'a> Ground<'a> {
             label: format!("{}*θ*_{{s}}", if sign < 0.0 { "−" } else { "" }),
         });
         let mut content = self.portrait.content("plane", say, layers, labels);
-        content.x = say.angle_with(self.portrait.window.x, own.to_vec());
+        content.x = say.angle_with(self.portrait.window.x.into(), own.to_vec());
         self.input.plane(name, title, caption, content, keys)
     }
 }

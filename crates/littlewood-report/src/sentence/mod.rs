@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 
 use littlewood::modes::{PhaseSolution, Recurrence, SlideLimit, Undecided};
 use littlewood::tables::Dimension;
-use littlewood::theory::{Candidates, ContactForces, RollingLaw};
+use littlewood::theory::{Candidates, ContactForces, PhasePlane};
 use littlewood::{Cause, Hoop, Mode, Outcome, Phase, Sample, Trajectory, Transition};
 
 use crate::number::{brief, three};
@@ -27,7 +27,7 @@ const NO_ANSWER: &str = "Rigid bodies have no answer here (Painlevé's paradox)"
 pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let state = trajectory.start();
     let hoop = trajectory.hoop();
-    let forces = RollingLaw::new(hoop).forces(state.theta, state.theta_rate);
+    let forces = PhasePlane::new(hoop).forces(state.theta, state.theta_rate);
     if trajectory
         .transitions()
         .first()
@@ -81,7 +81,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
 pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
     let event = trajectory.transitions().get(index)?;
     let hoop = trajectory.hoop();
-    let forces = RollingLaw::new(hoop).forces(event.before.theta, event.before.theta_rate);
+    let forces = PhasePlane::new(hoop).forces(event.before.theta, event.before.theta_rate);
     let mu_s = hoop.mu_s();
     let struck = |impact| Struck {
         hoop,
@@ -305,10 +305,7 @@ pub fn friction(hoop: &Hoop, sample: &Sample) -> Option<String> {
 /// Static friction did not suffice.
 fn gives_way(hoop: &Hoop, forces: &ContactForces) -> String {
     let there_is = brief(hoop.mu_s());
-    if hoop.rolling_resistance() > 0.0 {
-        // The forces are those without it.
-        format!("rolling would have needed more friction than there is (μₛ = {there_is})")
-    } else if forces.normal > 0.0 {
+    if forces.normal > 0.0 {
         format!(
             "rolling would have needed a friction coefficient of {}; there is {there_is}",
             brief(short(forces.demand())),

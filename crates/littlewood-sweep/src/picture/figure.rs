@@ -3,8 +3,8 @@
 use littlewood::tables::PhaseSequence;
 use littlewood_draw::{
     BOUNDARY, Content, DrawError, Figure, Image, LETTER, Label, Layer, Mark, PAPER, Panel,
-    PanelFrame, PlotAxis, ROOM, SMALL, SOFT, Scale as Ticks, Series, Sheet, Stroke, Tick, View,
-    width,
+    PanelFrame, PlotAxis, ROOM, Range, SMALL, SOFT, Scale as Ticks, Series, Sheet, Stroke, Tick,
+    View, width,
 };
 use littlewood_style::width::FINE;
 use littlewood_style::{Curve, Rgb};
@@ -68,7 +68,7 @@ fn in_rows(notes: &[String], room: f64) -> Vec<String> {
 fn axis(column: &'static str, title: &str, ticks: Option<Vec<Tick>>) -> PlotAxis {
     PlotAxis {
         scale: ticks.map_or(Ticks::Nothing, Ticks::Given),
-        ..PlotAxis::new(column, title, [0.0, 1.0])
+        ..PlotAxis::new(column, title, Range { from: 0.0, to: 1.0 })
     }
 }
 
@@ -132,7 +132,7 @@ impl Picture {
         let PictureSize { width, height } = self.size;
         Ok(self
             .figure(None)?
-            .pixels([width, height], self.size.scale())?
+            .pixels(width, height, self.size.scale())?
             .png())
     }
 
@@ -192,9 +192,9 @@ impl Picture {
         if scale.is_some() || self.regions.regions.is_empty() {
             let [[left, top], [right, bottom]] = panel.axes_frame();
             let fineness = if is_print { FINENESS } else { pixels };
-            let size = [right - left, bottom - top]
-                .map(|side| libm::ceil(side * fineness).max(1.0) as usize);
-            panel.image = Some(self.image(size, scale.as_ref()));
+            let pixels = |side: f64| libm::ceil(side * fineness).max(1.0) as usize;
+            let (width, height) = (pixels(right - left), pixels(bottom - top));
+            panel.image = Some(self.image(width, height, scale.as_ref()));
         }
         panel.keys = keys;
         panels.push(panel);

@@ -17,9 +17,9 @@ const NEAR: usize = 2;
 impl Picture {
     /// The map in so many pixels to the right and upwards: each has the colour of the nearest cell
     /// in its region.
-    pub(super) fn image(&self, size: [usize; 2], scale: Option<&Scale>) -> Image {
-        let [width, height] = size;
-        let regions = keys_of_pixels(&self.regions, size);
+    pub(super) fn image(&self, width: usize, height: usize, scale: Option<&Scale>) -> Image {
+        let size = [width, height];
+        let regions = keys_of_pixels(&self.regions, width, height);
         let flipped = [0, 1].map(|k| is_flipped(&self.grid.axes()[k]));
         let from_the_first = |pixel: usize, k: usize| {
             if flipped[k] {
@@ -87,7 +87,7 @@ impl Picture {
 
 /// The keys of the regions in which the middles of pixels lie, row by row, the lowest first; none
 /// where there is no region.
-fn keys_of_pixels(found: &Regions, [width, height]: [usize; 2]) -> Vec<Option<u64>> {
+fn keys_of_pixels(found: &Regions, width: usize, height: usize) -> Vec<Option<u64>> {
     let mut keys = vec![None; width * height];
     // The first pixel whose middle is not before a fraction of the way.
     let first = |at: f64, count: usize| {
@@ -137,7 +137,8 @@ mod tests {
                 regions: vec![ring],
                 boundaries: Vec::new(),
             },
-            [10, 10],
+            10,
+            10,
         );
         for (i, key) in keys.iter().enumerate() {
             let inside =

@@ -4,8 +4,18 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Ask, Lattice, Place};
 
-/// A corner of the lattice, or the cell to the right of it and above it.
-type Corner = [usize; 2];
+/// A corner of the lattice, counted from the lower left, or the cell to the right of it and above it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Corner {
+    pub(super) x: usize,
+    pub(super) y: usize,
+}
+
+impl Corner {
+    pub(super) const fn new(x: usize, y: usize) -> Self {
+        Self { x, y }
+    }
+}
 
 /// Crossings of a side at most.
 const CROSSINGS: usize = 3;
@@ -23,51 +33,66 @@ impl Side {
     }
 
     const fn ends(self) -> [Corner; 2] {
-        let [x, y] = self.corner;
+        let Corner { x, y } = self.corner;
         [
             self.corner,
             if self.axis == 0 {
-                [x + 1, y]
+                Corner::new(x + 1, y)
             } else {
-                [x, y + 1]
+                Corner::new(x, y + 1)
             },
         ]
     }
 
-    /// All sides of a lattice of so many cells.
-    fn all([right, top]: [usize; 2]) -> impl Iterator<Item = Self> {
-        let corners = (0..=top).flat_map(move |y| (0..=right).map(move |x| [x, y]));
+    /// All sides of a lattice with this right upper corner.
+    fn all(last: Corner) -> impl Iterator<Item = Self> {
+        let corners = (0..=last.y).flat_map(move |y| (0..=last.x).map(move |x| Corner { x, y }));
         corners
             .flat_map(|corner| [0, 1].map(|axis| Self::new(corner, axis)))
             .filter(move |side| {
-                let [_, [x, y]] = side.ends();
-                x <= right && y <= top
+                let [_, Corner { x, y }] = side.ends();
+                x <= last.x && y <= last.y
             })
     }
 
-    /// The cells on either side of it, of so many.
-    fn beside(self, [right, top]: [usize; 2]) -> impl Iterator<Item = Corner> {
-        let [x, y] = self.corner;
+    /// The cells on either side of it, of a lattice with this right upper corner.
+    fn beside(self, last: Corner) -> impl Iterator<Item = Corner> {
+        let Corner { x, y } = self.corner;
         let other = if self.axis == 0 {
-            y.checked_sub(1).map(|y| [x, y])
+            y.checked_sub(1).map(|y| Corner { x, y })
         } else {
-            x.checked_sub(1).map(|x| [x, y])
+            x.checked_sub(1).map(|x| Corner { x, y })
         };
         other
             .into_iter()
-            .chain([[x, y]])
-            .filter(move |[x, y]| *x < right && *y < top)
+            .chain([self.corner])
+            .filter(move |cell| cell.x < last.x && cell.y < last.y)
     }
 }
 
-/// The sides of a cell counterclockwise from its lower left corner, each with whether that is
-/// against the direction in which its coordinate grows.
-const fn around([x, y]: Corner) -> [(Side, bool); 4] {
+/// A side on a walk around a cell or the border.
+#[derive(Clone, Copy)]
+struct Step {
+    side: Side,
+    /// Whether the walk goes against the direction in which the coordinate grows.
+    is_back: bool,
+}
+
+/// A step along the side from a corner.
+const fn step(x: usize, y: usize, axis: usize, is_back: bool) -> Step {
+    Step {
+        side: Side::new(Corner { x, y }, axis),
+        is_back,
+    }
+}
+
+/// The sides of a cell counterclockwise from its lower left corner.
+const fn around(Corner { x, y }: Corner) -> [Step; 4] {
     [
-        (Side::new([x, y], 0), false),
-        (Side::new([x + 1, y], 1), false),
-        (Side::new([x, y + 1], 0), true),
-        (Side::new([x, y], 1), true),
+        step(x, y, 0, false),
+        step(x + 1, y, 1, false),
+        step(x, y + 1, 0, true),
+        step(x, y, 1, true),
     ]
 }
 
@@ -136,7 +161,7 @@ impl<'a> Crossings<'a> {
                 keys,
             })
         };
-        let mut searches: Vec<Search> = Side::all(lattice.cells()).filter_map(differs).collect();
+        let mut searches: Vec<Search> = Side::all(lattice.last()).filter_map(differs).collect();
         let mut counts: BTreeMap<Side, usize> = BTreeMap::new();
         loop {
             let mut open: Vec<&mut Search> = searches
@@ -188,7 +213,7 @@ impl<'a> Crossings<'a> {
     }
 
     /// The crossings of a side in the order of a walk around a cell.
-    fn on(&self, (side, is_back): (Side, bool)) -> Vec<Crossing> {
+    fn on(&self, Step { side, is_back }: Step) -> Vec<Crossing> {
         let mut found = self.crossings.get(&side).cloned().unwrap_or_default();
         if is_back {
             found.reverse();
@@ -207,13 +232,13 @@ impl<'a> Crossings<'a> {
     /// The boundaries in all cells: each from where a region begins on the walk around the cell to
     /// where it ends. Those of three regions and more meet in the middle.
     pub(super) fn segments(&mut self) -> Vec<Segment> {
-        let cells = self.lattice.cells();
+        let last = self.lattice.last();
         let sides = self.crossings.keys();
-        let crossed: BTreeSet<Corner> = sides.flat_map(|side| side.beside(cells)).collect();
+        let crossed: BTreeSet<Corner> = sides.flat_map(|side| side.beside(last)).collect();
         let mut segments = Vec::new();
         for cell in crossed {
             let mut open: Vec<Crossing> = Vec::new();
-            for crossing in around(cell).into_iter().flat_map(|side| self.on(side)) {
+            for crossing in around(cell).into_iter().flat_map(|step| self.on(step)) {
                 let [before, after] = crossing.keys;
                 match open.pop_if(|first| first.keys == [after, before]) {
                     // The key between them is to the left on the way back to the first.
@@ -227,7 +252,8 @@ impl<'a> Crossings<'a> {
             if open.is_empty() {
                 continue;
             }
-            let [low, high] = [cell, cell.map(|k| k + 1)].map(|corner| self.lattice.place(corner));
+            let [low, high] = [cell, Corner::new(cell.x + 1, cell.y + 1)]
+                .map(|corner| self.lattice.place(corner));
             let hub = self.add_node([0, 1].map(|k| 0.5 * (low[k] + high[k])));
             segments.extend(open.into_iter().map(|Crossing { node, keys }| Segment {
                 nodes: [hub, node],
@@ -239,18 +265,17 @@ impl<'a> Crossings<'a> {
 
     /// The border counterclockwise: its corners and what crosses it.
     pub(super) fn border(&mut self) -> Vec<Stop> {
-        let [right, top] = self.lattice.cells();
-        let below = (0..right).map(|x| (Side::new([x, 0], 0), false));
-        let beside = (0..top).map(|y| (Side::new([right, y], 1), false));
-        let above = (0..right).rev().map(|x| (Side::new([x, top], 0), true));
-        let left = (0..top).rev().map(|y| (Side::new([0, y], 1), true));
+        let Corner { x: right, y: top } = self.lattice.last();
+        let below = (0..right).map(|x| step(x, 0, 0, false));
+        let beside = (0..top).map(|y| step(right, y, 1, false));
+        let above = (0..right).rev().map(|x| step(x, top, 0, true));
+        let left = (0..top).rev().map(|y| step(0, y, 1, true));
         let mut stops = Vec::new();
         for one in below.chain(beside).chain(above).chain(left) {
-            let (side, is_back) = one;
-            let [x, y] = side.ends()[usize::from(is_back)];
-            if (x == 0 || x == right) && (y == 0 || y == top) {
-                let key = self.lattice.key([x, y]);
-                let node = self.add_node(self.lattice.place([x, y]));
+            let corner = one.side.ends()[usize::from(one.is_back)];
+            if [0, right].contains(&corner.x) && [0, top].contains(&corner.y) {
+                let key = self.lattice.key(corner);
+                let node = self.add_node(self.lattice.place(corner));
                 stops.push(Stop { node, key });
             }
             stops.extend(

@@ -7,7 +7,7 @@
 mod cell;
 mod chain;
 
-use cell::Crossings;
+use cell::{Corner, Crossings};
 use littlewood::{Limits, ParameterError, Summary};
 
 use crate::compute::Workers;
@@ -77,7 +77,7 @@ impl Regions {
     /// use littlewood_sweep::{Lattice, Regions};
     ///
     /// let inside = |[x, y]: [f64; 2]| u64::from((x - 0.5) * (x - 0.5) + (y - 0.5) * (y - 0.5) < 0.16);
-    /// let lattice = Lattice::even([41, 41], |place| inside(place));
+    /// let lattice = Lattice::even(41, 41, |place| inside(place));
     /// let mut ask = |places: &[[f64; 2]]| Ok::<_, ()>(Some(places.iter().map(|&place| inside(place)).collect()));
     /// let found = Regions::find(&lattice, 1e-6, &mut ask)?;
     /// assert!((found.regions[1].area - 0.16 * std::f64::consts::PI).abs() < 1e-3);
@@ -120,13 +120,13 @@ impl Regions {
             "a plane has two axes, not {}",
             grid.axes().len()
         );
-        let count = [0, 1].map(|k| grid.axes()[k].count());
+        let [columns, rows] = [0, 1].map(|k| grid.axes()[k].count());
         assert!(
-            count.iter().all(|count| *count > 1),
+            columns > 1 && rows > 1,
             "a plane has two points or more to either side"
         );
         let mut ask = workers.keys_of_places(grid, limits, key, told);
-        let mut lattice = Lattice::even(count, |_| 0);
+        let mut lattice = Lattice::even(columns, rows, |_| 0);
         let places = lattice.all_places();
         let mut keys = Vec::with_capacity(places.len());
         for some in places.chunks(AT_ONCE) {
@@ -150,8 +150,8 @@ impl Regions {
 
 impl Lattice {
     /// Evenly spaced columns and rows, two at least of each, with the keys of their places.
-    pub fn even(count: [usize; 2], key: impl Fn(Place) -> u64) -> Self {
-        let places = count.map(|count| {
+    pub fn even(columns: usize, rows: usize, key: impl Fn(Place) -> u64) -> Self {
+        let places = [columns, rows].map(|count| {
             let last = count.max(2) - 1;
             (0..=last)
                 .map(|i| i as f64 / last as f64)
@@ -173,17 +173,19 @@ impl Lattice {
             .collect()
     }
 
-    /// Cells to the right and upwards.
-    fn cells(&self) -> [usize; 2] {
-        [0, 1].map(|k| self.places[k].len() - 1)
+    /// Its right upper corner: as many cells are to the left of it and below it.
+    fn last(&self) -> Corner {
+        let [columns, rows] = &self.places;
+        Corner::new(columns.len() - 1, rows.len() - 1)
     }
 
-    /// The place of a corner, counted from the lower left.
-    fn place(&self, corner: [usize; 2]) -> Place {
-        [0, 1].map(|k| self.places[k][corner[k]])
+    /// The place of a corner.
+    fn place(&self, corner: Corner) -> Place {
+        let [columns, rows] = &self.places;
+        [columns[corner.x], rows[corner.y]]
     }
 
-    fn key(&self, [x, y]: [usize; 2]) -> u64 {
-        self.keys[y * self.places[0].len() + x]
+    fn key(&self, corner: Corner) -> u64 {
+        self.keys[corner.y * self.places[0].len() + corner.x]
     }
 }

@@ -32,6 +32,16 @@ pub(crate) fn convolve<T: Number, const N: usize>(
     sums
 }
 
+/// The product of two series, to the same degree.
+pub(crate) fn times(a: &Series, b: &Series) -> Series {
+    core::array::from_fn(|n| convolve([(a, b)], n)[0])
+}
+
+/// A series from its value and the others as a multiple of those of another.
+pub(crate) fn led(lead: f64, factor: f64, series: &Series) -> Series {
+    core::array::from_fn(|n| if n == 0 { lead } else { factor * series[n] })
+}
+
 /// Value of a series, by Horner's scheme.
 #[inline]
 pub(crate) fn value<T: Number>(series: &Series<T>, at: f64) -> T {

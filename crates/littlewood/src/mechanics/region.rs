@@ -4,14 +4,15 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::math::number::Number;
-use crate::mechanics::{ContactForces, Loads, ResistedRollingLaw, RollingLaw};
-use crate::model::{Body, Hoop, RotationDirection, SlipDirection};
+use crate::math::trig::Angle;
+use crate::mechanics::{ContactForces, HeldLaw, Loads, ResistedRollingLaw, RollingLaw};
+use crate::model::{Body, Hoop, SlipDirection};
 
 /// The phase plane of the rolling motions of one hoop.
 ///
 /// With rolling resistance rolling one way has other limits than rolling the other, and no energy
-/// integral: the plane then has the forces, 𝓡 at a point and the curve of lift-off, but no other
-/// curves, no region as an area and no equilibria.
+/// integral: the plane then has the forces, 𝓡 at a point and the curves of lift-off and of reverse
+/// chatter, but not those of rolling, no region as an area, and no equilibria.
 ///
 /// ```
 /// use littlewood::theory::PhasePlane;
@@ -70,23 +71,40 @@ impl PhasePlane {
         self.hoop.rolling_resistance() == 0.0
     }
 
-    /// Normal and friction force of rolling (2.12); with rolling resistance those at rest are those
-    /// without it.
+    /// Normal and friction force of rolling (2.12), or of rest where rolling resistance holds it.
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
         let rate = theta_rate / self.pace;
-        let ContactForces { normal, friction } = match RotationDirection::of_sign(theta_rate) {
-            Some(rotation) if !self.is_even() => {
-                let resistance = rotation.sign() * self.hoop.rolling_resistance();
-                ResistedRollingLaw::of_body(&self.hoop.rigid_body(), resistance)
-                    .forces(theta.angle(), rate * rate)
-            }
-            Some(_) | None => self.law.forces(theta, rate),
+        let ContactForces { normal, friction } = if self.is_even() {
+            self.law.forces(theta, rate)
+        } else {
+            self.resisted_forces(theta.angle(), rate)
         };
         let weight = self.pace * self.pace;
         ContactForces {
             normal: weight * normal,
             friction: weight * friction,
         }
+    }
+
+    /// N and F with rolling resistance, in the units of the law. At θ′ = 0 the hoop begins to turn as
+    /// its weight pulls, or rests.
+    fn resisted_forces(&self, angle: Angle, rate: f64) -> ContactForces {
+        let body = self.hoop.rigid_body();
+        let coefficient = self.hoop.rolling_resistance();
+        let arm = HeldLaw {
+            body,
+            friction: 0.0,
+        }
+        .arm_of_rest(angle);
+        if rate == 0.0 && arm.abs() <= coefficient {
+            return ContactForces {
+                normal: body.mass,
+                friction: body.mass * body.pull(),
+            };
+        }
+        let turns = if rate == 0.0 { -arm } else { rate };
+        let resistance = coefficient.copysign(turns);
+        ResistedRollingLaw::of_body(&body, resistance).forces(angle, rate * rate)
     }
 
     /// Region 𝓝 of (2.14): N > 0.

@@ -54,7 +54,7 @@ pub enum ParameterError {
     )]
     MasslessFlight { gap_rate: f64 },
     /// Rolling resistance, where it is not built yet.
-    #[error("rolling_resistance = {}: motions with rolling resistance are not built yet", Number(*rolling_resistance))]
+    #[error("rolling_resistance = {}: this is not built yet with rolling resistance", Number(*rolling_resistance))]
     NotBuilt { rolling_resistance: f64 },
 }
 

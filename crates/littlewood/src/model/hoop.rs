@@ -278,7 +278,7 @@ impl Hoop {
         )
     }
 
-    /// Refuses what is not built yet: motions with rolling resistance.
+    /// Refuses what is not built yet with rolling resistance.
     ///
     /// # Errors
     /// [`ParameterError::NotBuilt`].

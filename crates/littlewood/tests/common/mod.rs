@@ -211,3 +211,14 @@ pub(crate) fn random_starts(count: usize) -> impl Iterator<Item = Start> {
         }
     })
 }
+
+/// Fails with the first of what is wrong, beside what was seen.
+pub(crate) fn none_differ(wrong: &[String], seen: &str) {
+    println!("{seen}; {} differ", wrong.len());
+    let first = &wrong[..wrong.len().min(5)];
+    assert!(
+        wrong.is_empty(),
+        "{seen}; {} differ: {first:#?}",
+        wrong.len()
+    );
+}

@@ -63,6 +63,18 @@ pub(crate) struct Balances {
     pub(crate) right: [Dd; 3],
 }
 
+impl Balances {
+    /// θ″, N and F of rolling.
+    pub(crate) fn rolling(&self) -> [f64; 3] {
+        solve([self.spin, self.normal, self.friction], self.right)
+    }
+
+    /// θ″, gap″ and η″ of flight.
+    pub(crate) fn flight(&self) -> [f64; 3] {
+        solve([self.spin, self.gap, self.slip], self.right)
+    }
+}
+
 /// A hoop of mass m1 and inertia Izz, the rim at the plane, and a particle of mass 1 at ℓ (−sin θ,
 /// cos θ) from its centre, which has the acceleration (η″ − θ″, gap″).
 pub(crate) fn balances(hoop: &Hoop, start: &Start) -> Balances {
@@ -139,21 +151,22 @@ impl Modes {
 /// The modes from the balances alone: each is solved, and its forces and accelerations have to obey
 /// Signorini's and Coulomb's laws. Where static friction holds no slide begins.
 pub(crate) fn modes(hoop: &Hoop, start: &Start) -> Modes {
+    let balances = balances(hoop, start);
     let Balances {
         spin,
         slip,
-        gap,
         normal,
         friction,
         right,
-    } = balances(hoop, start);
+        ..
+    } = balances;
     let scaled = |column: [Dd; 3], by: f64| column.map(|entry| entry * Dd::from(by));
     let added = |a: [Dd; 3], b: [Dd; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
     let sizes = Sizes::of(hoop, start);
     let is_massless = matches!(hoop.body(), Body::Massless(_));
     let (mu_s, mu_k) = (hoop.mu_s(), hoop.mu_k());
 
-    let [_, n, f] = solve([spin, normal, friction], right);
+    let [_, n, f] = balances.rolling();
     let forces = [(n, sizes.normal), (f, sizes.friction)]
         .map(|(value, rounding)| Rounded { value, rounding });
     let margin = Rounded {
@@ -181,7 +194,7 @@ pub(crate) fn modes(hoop: &Hoop, start: &Start) -> Modes {
         };
     }
 
-    let [_, opening, _] = solve([spin, gap, slip], right);
+    let [_, opening, _] = balances.flight();
     let opening = Rounded {
         value: opening,
         rounding: sizes.contact,

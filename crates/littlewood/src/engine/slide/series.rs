@@ -225,10 +225,11 @@ impl Polynomials {
             last[0][i] = initial[i].u;
             u[i][0] = initial[i].u;
         }
+        let drive = |k: usize| drive.get(k).copied().unwrap_or(0.0);
         for k in 0..DEGREE {
             let part = RECIPROCALS[k + 1];
             let factor = |j: usize| l[j] + rest[j] * part;
-            let drive = if k < 5 { drive[k] * part } else { 0.0 };
+            let drive = drive(k) * part;
             let mut next = [0.0; N];
             for i in 0..N {
                 let far = factor(5) * last[5][i] + factor(4) * last[4][i];
@@ -466,7 +467,6 @@ fn sign_pattern(coefficients: &Low, band: f64) -> SignPattern {
     let is_first = |b: &&f64| sign_of_first * **b > band;
     let is_last = |b: &&f64| -sign_of_first * **b > band;
     let begin = coefficients.iter().take_while(is_first).count();
-    let end = coefficients.iter().rev().take_while(is_last).count();
     if begin == coefficients.len() {
         return if sign_of_first > 0.0 {
             SignPattern::Positive
@@ -474,6 +474,7 @@ fn sign_pattern(coefficients: &Low, band: f64) -> SignPattern {
             SignPattern::Negative
         };
     }
+    let end = coefficients.iter().rev().take_while(is_last).count();
     if begin == 0 || end == 0 {
         return SignPattern::Unknown;
     }

@@ -334,8 +334,12 @@ impl SlideTable {
     /// The same. None where u is not known to stay away from zero.
     fn u_centre_from_entry(&self, u: f64) -> Option<f64> {
         let u_centre = self.u_centre_of_entry(u);
-        let is_zero_free = self.terms.at(u_centre) <= RegularSegment::MAX_TERM_RATIO * u_centre;
-        (u_centre > 0.0 && is_zero_free).then_some(u_centre)
+        self.is_zero_free(u_centre).then_some(u_centre)
+    }
+
+    /// Whether u of a slide stays away from zero on the interval by the sizes of its terms.
+    fn is_zero_free(&self, u_centre: f64) -> bool {
+        u_centre > 0.0 && self.terms.at(u_centre) <= RegularSegment::MAX_TERM_RATIO * u_centre
     }
 
     /// The time from the beginning of the interval to its end.
@@ -392,7 +396,8 @@ impl SlideTable {
         if !(z >= -1.0 && z < self.end - MIN_LENGTH) {
             return None;
         }
-        let degree = if z >= -self.end {
+        let is_on_interval = z >= -self.end;
+        let degree = if is_on_interval {
             self.interval_degree
         } else {
             self.degree
@@ -410,8 +415,11 @@ impl SlideTable {
             return None;
         }
         let u = self.u(u_centre);
+        // The ellipse about a part of the interval lies in the disc of the sizes of its terms.
+        let is_known = is_on_interval && self.is_zero_free(u_centre);
         let is_zero_free = |end: &f64| {
-            may_be_zero_free(end) && RegularSegment::is_zero_free(&u[..=degree], span(*end))
+            let by_terms = || RegularSegment::is_zero_free(&u[..=degree], span(*end));
+            may_be_zero_free(end) && (is_known || by_terms())
         };
         let end = ends.find(is_zero_free)?;
         Some(TableSegment {

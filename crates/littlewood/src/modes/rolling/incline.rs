@@ -495,7 +495,6 @@ impl Leg {
     fn time_between(&self, from: f64, to: LegPoint) -> f64 {
         let turns = to.passed.turns;
         let at = |rest: f64| self.slowness(self.point(turns, rest));
-        // Next to a turning point, with the root of the distance as the variable.
         let at_root = |s: f64, (slowness, rounding): (f64, f64)| (2.0 * s * slowness, rounding);
         // Next to a turning point the square root of the distance is the variable.
         let end = to.passed.rest + to.left;
@@ -547,51 +546,28 @@ impl Leg {
             (turns, beyond) = (beyond, 2.0 * beyond);
         }
         let turns = last_of(turns, beyond.min(most + 1.0), |turns| begins(turns) <= time);
-        // The variable p with the rest as a smooth function of it: its square after a turning
-        // point, the square from the far side before one, and the width times sin²(p/2) between
-        // two.
-        let begins_at_rest = self.kinetic == 0.0 && turns == 0.0;
-        let last = self
+        let is_behind = self.kinetic == 0.0 && turns == 0.0;
+        let ahead = self
             .turning_distance
             .filter(|reach| reach.turns <= turns)
             .map(|reach| reach.rest);
-        let point = |p: f64| match (begins_at_rest, last) {
-            (true, Some(rest)) => {
-                let (sin, cos) = sincos(0.5 * p);
-                let passed = Distance {
-                    turns,
-                    rest: rest * sin * sin,
-                };
-                (
-                    LegPoint {
-                        passed,
-                        left: rest * cos * cos,
-                    },
-                    rest * sin * cos,
-                )
-            }
-            (false, Some(rest)) => {
-                let root = rest.sqrt() - p;
-                (
-                    LegPoint {
-                        passed: Distance {
-                            turns,
-                            rest: rest - root * root,
-                        },
-                        left: root * root,
-                    },
-                    2.0 * root,
-                )
-            }
-            (true, None) => (self.point(turns, p * p), 2.0 * p),
-            (false, None) => (self.point(turns, p), 1.0),
+        let variable = Variable::new(is_behind, ahead);
+        let point = |p: f64| {
+            let Stretched {
+                rest,
+                left,
+                stretch,
+            } = variable.at(p);
+            let point = match left {
+                Some(left) => LegPoint {
+                    passed: Distance { turns, rest },
+                    left,
+                },
+                None => self.point(turns, rest),
+            };
+            (point, stretch)
         };
-        let high = match (begins_at_rest, last) {
-            (true, Some(_)) => PI,
-            (false, Some(rest)) => rest.sqrt(),
-            (true, None) => TAU.sqrt(),
-            (false, None) => TAU,
-        };
+        let high = variable.end();
         let p = Bracket { low: 0.0, high }.iterate(0.5 * high, |p| {
             let (point, stretch) = point(p);
             let value = time - self.time(point);
@@ -691,6 +667,68 @@ impl Leg {
         is_last
             .then(|| self.crossing(whole, 0.0..reach - TAU * whole, false))
             .flatten()
+    }
+}
+
+/// The variable p in which the rest within a turn is a smooth function of time, by the turning points
+/// next to it.
+#[derive(Clone, Copy)]
+enum Variable {
+    /// The rest itself.
+    Free,
+    /// Behind a turning point: the root of the rest.
+    Behind,
+    /// Before one at this rest: the root of the distance to it, counted from the start on.
+    Before { rest: f64 },
+    /// Between two, the second at this rest: the part of the way that is passed is sin²(p/2).
+    Between { rest: f64 },
+}
+
+/// A rest, what is left to the turning point ahead, and how much the rest grows with p.
+struct Stretched {
+    rest: f64,
+    left: Option<f64>,
+    stretch: f64,
+}
+
+impl Variable {
+    const fn new(is_behind: bool, ahead: Option<f64>) -> Self {
+        match (is_behind, ahead) {
+            (true, Some(rest)) => Self::Between { rest },
+            (true, None) => Self::Behind,
+            (false, Some(rest)) => Self::Before { rest },
+            (false, None) => Self::Free,
+        }
+    }
+
+    /// p at the turning point ahead, or at the end of the turn; it begins at 0.
+    fn end(self) -> f64 {
+        match self {
+            Self::Free => TAU,
+            Self::Behind => TAU.sqrt(),
+            Self::Before { rest } => rest.sqrt(),
+            Self::Between { .. } => PI,
+        }
+    }
+
+    fn at(self, p: f64) -> Stretched {
+        let (rest, left, stretch) = match self {
+            Self::Free => (p, None, 1.0),
+            Self::Behind => (p * p, None, 2.0 * p),
+            Self::Before { rest } => {
+                let root = rest.sqrt() - p;
+                (rest - root * root, Some(root * root), 2.0 * root)
+            }
+            Self::Between { rest } => {
+                let (sin, cos) = sincos(0.5 * p);
+                (rest * sin * sin, Some(rest * cos * cos), rest * sin * cos)
+            }
+        };
+        Stretched {
+            rest,
+            left,
+            stretch,
+        }
     }
 }
 

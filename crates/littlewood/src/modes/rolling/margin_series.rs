@@ -8,7 +8,7 @@
 //! F D² = ℓ̂ s [G (Î + ℓ̂(h + c)) − (m + ℓ̂c) D] + T (m Î + ℓ̂² s²) D.
 //! ```
 
-use crate::math::series::{DEGREE, Series, convolve};
+use crate::math::series::{DEGREE, Series, led, times};
 use crate::math::trig::{Angle, above_bottom};
 use crate::mechanics::RollingLaw;
 use crate::model::{Hoop, SlipDirection};
@@ -33,15 +33,6 @@ struct Terms {
     /// D and m + ℓ̂c.
     d: Series,
     carried: Series,
-}
-
-fn product(a: &Series, b: &Series) -> Series {
-    core::array::from_fn(|n| convolve([(a, b)], n)[0])
-}
-
-/// A series from its value and the others as a multiple of those of another.
-fn scaled(lead: f64, factor: f64, series: &Series) -> Series {
-    core::array::from_fn(|n| if n == 0 { lead } else { factor * series[n] })
 }
 
 impl MarginSeries {
@@ -76,8 +67,8 @@ impl MarginSeries {
         }
         let over_bottom = above_bottom(angle);
         Terms {
-            d: scaled(self.law.bottom + 2.0 * l * over_bottom, 2.0 * l, &cos),
-            carried: scaled((m - l) + l * over_bottom, l, &cos),
+            d: led(self.law.bottom + 2.0 * l * over_bottom, 2.0 * l, &cos),
+            carried: led((m - l) + l * over_bottom, l, &cos),
             sin,
             cos,
             over_bottom,
@@ -111,19 +102,19 @@ impl MarginSeries {
             d,
             carried,
         } = self.terms(angle);
-        let square = product(&sin, &sin);
-        let carried_square = product(&carried, &carried);
-        let sin_carried = product(&sin, &carried);
+        let square = times(&sin, &sin);
+        let carried_square = times(&carried, &carried);
+        let sin_carried = times(&sin, &carried);
         let weighed: Series = core::array::from_fn(|n| {
             carried_square[n] - pull * l * sin_carried[n] + if n == 0 { mass_inertia } else { 0.0 }
         });
-        let c_d = product(&cos, &d);
-        let held = product(&d, &weighed);
-        let inertia_excess = scaled(excess_at_ends[1] + l * over_bottom, l, &cos);
-        let [driven, loaded] = [product(&sin, &inertia_excess), product(&sin_carried, &d)];
+        let c_d = times(&cos, &d);
+        let held = times(&d, &weighed);
+        let inertia_excess = led(excess_at_ends[1] + l * over_bottom, l, &cos);
+        let [driven, loaded] = [times(&sin, &inertia_excess), times(&sin_carried, &d)];
         let along: Series =
             core::array::from_fn(|n| l * l * square[n] + if n == 0 { mass_inertia } else { 0.0 });
-        let along = product(&d, &along);
+        let along = times(&d, &along);
         [-1.0, 1.0].map(|sign| {
             [
                 core::array::from_fn(|n| {
@@ -143,7 +134,7 @@ impl MarginSeries {
         let [negative, positive] = SlipDirection::ALL.map(RollingLimit::Friction);
         if self.inertia > 0.0 {
             let [minus, plus] = self.heavy(angle).map(|[a, b]| {
-                let driven = product(&kinetic, &b);
+                let driven = times(&kinetic, &b);
                 core::array::from_fn(|n| a[n] + driven[n])
             });
             return [Some((minus, negative)), Some((plus, positive)), None];
@@ -158,8 +149,8 @@ impl MarginSeries {
             carried,
         } = self.terms(angle);
         let held: Series = core::array::from_fn(|n| carried[n] - pull * l * sin[n]);
-        let offset_plus_cos = scaled((l - 1.0) + over_bottom, 1.0, &cos);
-        let [normal, pulled] = [product(&d, &held), product(&kinetic, &offset_plus_cos)];
+        let offset_plus_cos = led((l - 1.0) + over_bottom, 1.0, &cos);
+        let [normal, pulled] = [times(&d, &held), times(&kinetic, &offset_plus_cos)];
         let cone = |sign: f64| -> Series {
             core::array::from_fn(|n| self.mu * carried[n] + sign * l * sin[n])
         };

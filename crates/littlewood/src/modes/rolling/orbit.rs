@@ -1,7 +1,7 @@
 //! The orbit of a rolling body: time as an elliptic integral of the angle, its inverse, and the end
 //! of rolling.
 
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::FRAC_PI_2;
 
 use crate::math::bernstein::Bernstein;
 use crate::math::bracket::{Bracket, RootStep};
@@ -12,7 +12,7 @@ use crate::mechanics::RollingLaw;
 use crate::model::{Hoop, SlipDirection};
 
 use super::boundary::{Boundary, RollingEnd, RollingLimit, Stiction, in_body_frame};
-use super::half_angle::{HalfAngleOrbit, OrbitPass, ReducedAngle};
+use super::half_angle::{HalfAngleOrbit, OrbitEnergy, OrbitPass, ReducedAngle};
 use super::incline::Incline;
 use super::recurrence::Recurrence;
 use super::rim::RimOrbit;
@@ -202,32 +202,23 @@ impl Elliptic {
 
     /// Half the width of the libration in θ.
     fn amplitude(&self) -> f64 {
-        2.0 * libm::atan2(
-            self.orbit.energy.beta.sqrt(),
-            self.orbit.energy.separatrix_gap.sqrt(),
-        )
-    }
-
-    /// ψ at z, y and D ϑ′².
-    fn phase(&self, z: f64, y: f64, twice_kinetic: f64) -> Angle {
-        match self.kind {
-            OrbitKind::Rest => Angle { sin: z, cos: y },
-            OrbitKind::Rotation | OrbitKind::Libration => self.orbit.phase(z, y, twice_kinetic),
-        }
-    }
-
-    fn start_phase(&self) -> Angle {
-        let ReducedAngle { z, y, .. } = self.orbit.start;
-        self.phase(z, y, self.orbit.twice_kinetic)
+        let OrbitEnergy {
+            separatrix_gap,
+            beta,
+            ..
+        } = self.orbit.energy;
+        2.0 * libm::atan2(beta.sqrt(), separatrix_gap.sqrt())
     }
 
     /// Time from the start to a point of the same turn on the way up or down, with its z² − z0².
     fn time_since_start(&self, to: Angle, delta_z2: f64) -> f64 {
-        let gain = match self.kind {
-            OrbitKind::Rest | OrbitKind::Rotation => delta_z2,
-            OrbitKind::Libration => self.orbit.four_l * delta_z2 / self.orbit.energy.beta,
+        let HalfAngleOrbit { energy, four_l, .. } = self.orbit;
+        let gain = if self.orbit.rotates {
+            delta_z2
+        } else {
+            four_l * delta_z2 / energy.beta
         };
-        self.orbit.energy.time_between(self.start_phase(), to, gain)
+        energy.time_between(self.orbit.start_phase(), to, gain)
     }
 
     /// Time from a phase to the top or the turning point.
@@ -242,21 +233,18 @@ impl Elliptic {
 
     /// dτ/dψ.
     fn phase_slowness(&self, Angle { sin, cos }: Angle) -> f64 {
-        let d = self.law.bottom + self.orbit.energy.beta * sin * sin;
-        2.0 * (d / (self.orbit.energy.separatrix_gap + self.orbit.energy.beta * cos * cos)).sqrt()
+        let OrbitEnergy {
+            bottom,
+            separatrix_gap,
+            beta,
+        } = self.orbit.energy;
+        2.0 * ((bottom + beta * sin * sin) / (separatrix_gap + beta * cos * cos)).sqrt()
     }
 
     fn position(&self, elapsed: f64) -> (f64, f64) {
+        let HalfAngleOrbit { start, four_l, .. } = self.orbit;
         if self.kind == OrbitKind::Rest {
-            return (
-                self.heading
-                    * self.angle_of(
-                        self.orbit.start.turn,
-                        self.orbit.start.z,
-                        self.orbit.start.y,
-                    ),
-                0.0,
-            );
+            return (self.heading * start.angle(), 0.0);
         }
         let total = self.start_time + elapsed;
         let half_period = 2.0 * self.quarter_period;
@@ -266,34 +254,35 @@ impl Elliptic {
         } else {
             (0.0, total)
         };
-        let Angle {
-            sin: sine,
-            cos: cosine,
-        } = self.phase_at(local);
-        let d = self.law.bottom + self.orbit.energy.beta * sine * sine;
-        if self.kind == OrbitKind::Rotation {
-            let theta = self.angle_of(self.orbit.start.turn + turns, sine, cosine);
-            let rate =
-                ((self.orbit.energy.separatrix_gap + self.orbit.energy.beta * cosine * cosine) / d)
-                    .sqrt();
-            (self.heading * theta, self.heading * rate)
+        let Angle { sin, cos } = self.phase_at(local);
+        let OrbitEnergy {
+            bottom,
+            separatrix_gap,
+            beta,
+        } = self.orbit.energy;
+        let d = bottom + beta * sin * sin;
+        let over_top = separatrix_gap + beta * cos * cos;
+        let (here, rate) = if self.kind == OrbitKind::Rotation {
+            let here = ReducedAngle {
+                turn: start.turn + turns,
+                z: sin,
+                y: cos,
+            };
+            (here, (over_top / d).sqrt())
         } else {
             let back = if turns.rem_euclid(2.0) == 0.0 {
                 1.0
             } else {
                 -1.0
             };
-            let four_l = 4.0 * self.law.offset;
-            let z = back * sine * (self.orbit.energy.beta / four_l).sqrt();
-            let y = ((self.orbit.energy.separatrix_gap + self.orbit.energy.beta * cosine * cosine)
-                / four_l)
-                .sqrt();
-            let rate = back * cosine * (self.orbit.energy.beta / d).sqrt();
-            (
-                self.heading * self.angle_of(self.orbit.start.turn, z, y),
-                self.heading * rate,
-            )
-        }
+            let here = ReducedAngle {
+                z: back * sin * (beta / four_l).sqrt(),
+                y: (over_top / four_l).sqrt(),
+                ..start
+            };
+            (here, back * cos * (beta / d).sqrt())
+        };
+        (self.heading * here.angle(), self.heading * rate)
     }
 
     /// ψ, by inversion of the increasing function τ(ψ).
@@ -328,22 +317,19 @@ impl Elliptic {
         )
     }
 
-    /// ϑ in turn `turn`, from z = −cos(ϑ/2) and y = sin(ϑ/2).
-    fn angle_of(&self, turn: f64, z: f64, y: f64) -> f64 {
-        TAU * turn + 2.0 * libm::atan2(y, -z)
-    }
-
     fn recurrence(&self) -> Recurrence {
+        let ReducedAngle { turn, .. } = self.orbit.start;
+        let at = |z: f64, y: f64| ReducedAngle { turn, z, y }.angle();
         match self.kind {
             OrbitKind::Rest => Recurrence::Rest,
             OrbitKind::Rotation if self.quarter_period.is_finite() => Recurrence::Rotation {
                 period: 2.0 * self.quarter_period,
             },
             OrbitKind::Rotation => Recurrence::Asymptotic {
-                theta: self.heading * self.angle_of(self.orbit.start.turn, 1.0, 0.0),
+                theta: self.heading * at(1.0, 0.0),
             },
             OrbitKind::Libration => {
-                let bottom = self.heading * self.angle_of(self.orbit.start.turn, 0.0, 1.0);
+                let bottom = self.heading * at(0.0, 1.0);
                 let amplitude = self.amplitude();
                 Recurrence::Libration {
                     period: 4.0 * self.quarter_period,
@@ -356,100 +342,57 @@ impl Elliptic {
 
     /// The arcs ahead, which together cover the orbit.
     fn arcs(&self) -> impl Iterator<Item = OrbitArc> {
-        let four_l = 4.0 * self.law.offset;
-        let here = OrbitPoint {
-            x: -self.orbit.start.z,
-            y: self.orbit.start.y,
-            twice_kinetic: self.orbit.twice_kinetic,
+        let HalfAngleOrbit {
+            energy,
+            four_l,
+            start: ReducedAngle { z, y, .. },
+            twice_kinetic,
+            ..
+        } = self.orbit;
+        let arc = |from, to, sin_width, pass| {
+            Some(OrbitArc {
+                from,
+                to,
+                sin_width,
+                pass,
+            })
         };
-        let bottom = OrbitPoint {
-            x: 0.0,
-            y: 1.0,
-            twice_kinetic: self.orbit.twice_kinetic
-                + four_l * self.orbit.start.z * self.orbit.start.z,
-        };
-        let past_bottom = self.orbit.start.z >= 0.0;
-        // From here to an end of the arc, and on from the bottom.
+        let here = OrbitPoint::new(-z, y, twice_kinetic);
+        let bottom = OrbitPoint::new(0.0, 1.0, twice_kinetic + four_l * z * z);
+        let past_bottom = z >= 0.0;
+        // From here to an end of the arc, over the bottom if that is ahead.
         let first = |to: OrbitPoint, sin_width: f64| {
-            let ahead = if past_bottom {
-                OrbitArc {
-                    from: here,
-                    to,
-                    sin_width,
-                    pass: OrbitPass::First,
-                }
+            if past_bottom {
+                [None, arc(here, to, sin_width, OrbitPass::First)]
             } else {
-                OrbitArc {
-                    from: bottom,
-                    to,
-                    sin_width: -to.x,
-                    pass: OrbitPass::First,
-                }
-            };
-            let down = OrbitArc {
-                from: here,
-                to: bottom,
-                sin_width: here.x,
-                pass: OrbitPass::First,
-            };
-            [(!past_bottom).then_some(down), Some(ahead)]
+                [
+                    arc(here, bottom, here.x, OrbitPass::First),
+                    arc(bottom, to, -to.x, OrbitPass::First),
+                ]
+            }
         };
         let arcs = match self.kind {
             OrbitKind::Rest => [None; 4],
             OrbitKind::Rotation => {
-                let top = |x: f64| OrbitPoint {
-                    x,
-                    y: 0.0,
-                    twice_kinetic: self.orbit.energy.separatrix_gap,
-                };
-                let [a, b] = first(top(-1.0), self.orbit.start.y);
+                let top = |x: f64| OrbitPoint::new(x, 0.0, energy.separatrix_gap);
+                let [a, b] = first(top(-1.0), y);
+                // On the separatrix there is no next turn.
                 let again = |from, to, sin_width| {
-                    self.quarter_period.is_finite().then_some(OrbitArc {
-                        from,
-                        to,
-                        sin_width,
-                        pass: OrbitPass::NextTurn,
-                    })
+                    arc(from, to, sin_width, OrbitPass::NextTurn)
+                        .filter(|_| self.quarter_period.is_finite())
                 };
-                let down = if past_bottom {
-                    again(top(1.0), bottom, 1.0)
+                if past_bottom {
+                    [a, b, again(top(1.0), bottom, 1.0), again(bottom, here, z)]
                 } else {
-                    again(top(1.0), here, self.orbit.start.y)
-                };
-                [
-                    a,
-                    b,
-                    down,
-                    if past_bottom {
-                        again(bottom, here, self.orbit.start.z)
-                    } else {
-                        None
-                    },
-                ]
+                    [a, b, again(top(1.0), here, y), None]
+                }
             }
             OrbitKind::Libration => {
-                let (k, y) = (
-                    (self.orbit.energy.beta / four_l).sqrt(),
-                    (self.orbit.energy.separatrix_gap / four_l).sqrt(),
-                );
-                let turn = |x: f64| OrbitPoint {
-                    x,
-                    y,
-                    twice_kinetic: 0.0,
-                };
-                let [a, b] = first(
-                    turn(-k),
-                    self.orbit.twice_kinetic
-                        / (four_l * (k * self.orbit.start.y + y * self.orbit.start.z)),
-                );
-                let back = |from, to| {
-                    Some(OrbitArc {
-                        from,
-                        to,
-                        sin_width: k,
-                        pass: OrbitPass::WayBack,
-                    })
-                };
+                let k = (energy.beta / four_l).sqrt();
+                let height = (energy.separatrix_gap / four_l).sqrt();
+                let turn = |x: f64| OrbitPoint::new(x, height, 0.0);
+                let [a, b] = first(turn(-k), twice_kinetic / (four_l * (k * y + height * z)));
+                let back = |from, to| arc(from, to, k, OrbitPass::WayBack);
                 [a, b, back(turn(-k), bottom), back(bottom, turn(k))]
             }
         };
@@ -497,49 +440,43 @@ impl Elliptic {
     }
 
     fn end_at(&self, arc: &OrbitArc, at: f64, limit: RollingLimit) -> RollingEnd {
+        let HalfAngleOrbit {
+            energy,
+            four_l,
+            start,
+            ..
+        } = self.orbit;
         let [x, y] = on_arc(arc.from.direction(), arc.to.direction(), at);
         let z = -x;
-        let four_l = 4.0 * self.law.offset;
         // z² − z² at the start of the arc, from the half angle that is passed.
         let delta_z2 = arc.passed(at) * (y * -arc.from.x + z * arc.from.y);
-        let twice_kinetic = match self.kind {
-            OrbitKind::Rest | OrbitKind::Rotation => {
-                self.orbit.energy.separatrix_gap + four_l * y * y
-            }
-            OrbitKind::Libration => (arc.from.twice_kinetic - four_l * delta_z2).max(0.0),
+        let twice_kinetic = if self.orbit.rotates {
+            energy.separatrix_gap + four_l * y * y
+        } else {
+            (arc.from.twice_kinetic - four_l * delta_z2).max(0.0)
+        };
+        let there = self.orbit.phase(z, y, twice_kinetic);
+        let to_quarter =
+            |to: Angle| self.time_to_quarter(self.orbit.start_phase()) + self.time_to_quarter(to);
+        let is_from_start = arc.from.direction() == [-start.z, start.y];
+        let elapsed = match arc.pass {
+            OrbitPass::First if is_from_start => self.time_since_start(there, delta_z2),
+            OrbitPass::First => energy.time_from_bottom(there) - self.start_time,
+            OrbitPass::NextTurn => to_quarter(there.mirrored()),
+            OrbitPass::WayBack => to_quarter(there),
+        };
+        let turn = match arc.pass {
+            OrbitPass::First | OrbitPass::WayBack => start.turn,
+            OrbitPass::NextTurn => start.turn + 1.0,
         };
         let speed = (twice_kinetic / (self.law.bottom + four_l * z * z)).sqrt();
-        let there = self.phase(z, y, twice_kinetic);
-        let next = || self.time_to_quarter(self.start_phase());
-        let (elapsed, turn, rate) = match arc.pass {
-            OrbitPass::First
-                if arc.from.direction() == [-self.orbit.start.z, self.orbit.start.y] =>
-            {
-                (
-                    self.time_since_start(there, delta_z2),
-                    self.orbit.start.turn,
-                    speed,
-                )
-            }
-            OrbitPass::First => (
-                self.orbit.energy.time_from_bottom(there) - self.start_time,
-                self.orbit.start.turn,
-                speed,
-            ),
-            OrbitPass::NextTurn => (
-                next() + self.time_to_quarter(there.mirrored()),
-                self.orbit.start.turn + 1.0,
-                speed,
-            ),
-            OrbitPass::WayBack => (
-                next() + self.time_to_quarter(there),
-                self.orbit.start.turn,
-                -speed,
-            ),
+        let rate = match arc.pass {
+            OrbitPass::First | OrbitPass::NextTurn => speed,
+            OrbitPass::WayBack => -speed,
         };
         RollingEnd {
             elapsed: elapsed.max(0.0),
-            theta: self.heading * self.angle_of(turn, z, y),
+            theta: self.heading * ReducedAngle { turn, z, y }.angle(),
             theta_rate: self.heading * rate,
             limit: in_body_frame(limit, self.heading),
         }
@@ -549,7 +486,8 @@ impl Elliptic {
         let Some(arc) = self.arcs().next() else {
             return Stiction::Holds;
         };
-        let d = self.law.bottom + 4.0 * self.law.offset * self.orbit.start.z * self.orbit.start.z;
+        let HalfAngleOrbit { four_l, start, .. } = self.orbit;
+        let d = self.law.bottom + four_l * start.z * start.z;
         let margins = self
             .boundary
             .on_arc(arc.from.direction(), arc.to.direction());
@@ -577,6 +515,14 @@ struct OrbitPoint {
 }
 
 impl OrbitPoint {
+    const fn new(x: f64, y: f64, twice_kinetic: f64) -> Self {
+        Self {
+            x,
+            y,
+            twice_kinetic,
+        }
+    }
+
     const fn direction(&self) -> HalfAngle {
         [self.x, self.y]
     }

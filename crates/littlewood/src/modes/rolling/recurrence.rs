@@ -98,28 +98,25 @@ impl<T: Copy> Recurrence<T> {
 impl<T: Number> Recurrence<T> {
     /// In units in which velocities are `pace` times as large.
     pub(crate) fn at_pace(self, pace: T) -> Self {
-        match self {
-            Self::Libration {
-                period,
-                theta_min,
-                theta_max,
-            } => Self::Libration {
-                period: period / pace,
-                theta_min,
-                theta_max,
-            },
-            Self::Rotation { period } => Self::Rotation {
-                period: period / pace,
-            },
-            Self::Downhill { acceleration } => Self::Downhill {
-                acceleration: acceleration * (pace * pace),
-            },
-            Self::Asymptotic { .. } | Self::Rest => self,
-        }
+        self.map_each(
+            |time| time / pace,
+            |angle| angle,
+            |acceleration| acceleration * (pace * pace),
+        )
     }
 
     /// Applies a function to each number.
     pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Recurrence<U> {
+        self.map_each(&f, &f, &f)
+    }
+
+    /// Applies a function to each time, one to each angle, and one to each acceleration.
+    fn map_each<U>(
+        self,
+        of_time: impl Fn(T) -> U,
+        of_angle: impl Fn(T) -> U,
+        of_acceleration: impl Fn(T) -> U,
+    ) -> Recurrence<U> {
         match self {
             Self::Rest => Recurrence::Rest,
             Self::Libration {
@@ -127,15 +124,19 @@ impl<T: Number> Recurrence<T> {
                 theta_min,
                 theta_max,
             } => Recurrence::Libration {
-                period: f(period),
-                theta_min: f(theta_min),
-                theta_max: f(theta_max),
+                period: of_time(period),
+                theta_min: of_angle(theta_min),
+                theta_max: of_angle(theta_max),
             },
-            Self::Rotation { period } => Recurrence::Rotation { period: f(period) },
+            Self::Rotation { period } => Recurrence::Rotation {
+                period: of_time(period),
+            },
             Self::Downhill { acceleration } => Recurrence::Downhill {
-                acceleration: f(acceleration),
+                acceleration: of_acceleration(acceleration),
             },
-            Self::Asymptotic { theta } => Recurrence::Asymptotic { theta: f(theta) },
+            Self::Asymptotic { theta } => Recurrence::Asymptotic {
+                theta: of_angle(theta),
+            },
         }
     }
 }

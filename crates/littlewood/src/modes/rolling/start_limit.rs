@@ -7,7 +7,7 @@
 
 use core::f64::consts::PI;
 
-use crate::math::series::{DEGREE, Series, convolve};
+use crate::math::series::{DEGREE, Series, led, times};
 use crate::math::trig::{Angle, above_bottom};
 use crate::mechanics::{Loads, RollingLaw};
 use crate::model::{Body, Hoop, SlipDirection};
@@ -201,22 +201,13 @@ impl AngleSizes {
     }
 }
 
-/// A series from its value and the others as a multiple of those of another.
-fn led(lead: f64, factor: f64, series: &Series) -> Series {
-    core::array::from_fn(|n| if n == 0 { lead } else { factor * series[n] })
-}
-
-fn product(a: &Series, b: &Series) -> Series {
-    core::array::from_fn(|n| convolve([(a, b)], n)[0])
-}
-
 /// The series of [`MarginSeries::at`] of a massless hoop, of the sizes of their terms.
 fn massless_sizes(law: &RollingLaw, mu: f64, angle: Angle, u: f64) -> [Series; 2] {
     let (l, pull) = (law.offset, law.tilt.abs());
     let of = AngleSizes::new(law, angle, u);
     let lever = led((1.0 - l) + of.height, 1.0, &of.cosines);
     let held: Series = core::array::from_fn(|n| of.carried[n] + pull * l * of.sines[n]);
-    let [held, pulled] = [product(&of.d, &held), product(&of.energy, &lever)];
+    let [held, pulled] = [times(&of.d, &held), times(&of.energy, &lever)];
     [
         core::array::from_fn(|n| held[n] + l * pulled[n]),
         core::array::from_fn(|n| mu * of.carried[n] + l * of.sines[n]),
@@ -227,23 +218,23 @@ fn massless_sizes(law: &RollingLaw, mu: f64, angle: Angle, u: f64) -> [Series; 2
 fn heavy_sizes(law: &RollingLaw, mu: f64, angle: Angle, u: f64) -> Series {
     let (l, pull, inertia) = (law.offset, law.tilt.abs(), law.mass_inertia);
     let of = AngleSizes::new(law, angle, u);
-    let square = product(&of.sines, &of.sines);
-    let carried_square = product(&of.carried, &of.carried);
-    let sin_carried = product(&of.sines, &of.carried);
+    let square = times(&of.sines, &of.sines);
+    let carried_square = times(&of.carried, &of.carried);
+    let sin_carried = times(&of.sines, &of.carried);
     let with_inertia = |n: usize| if n == 0 { inertia } else { 0.0 };
     let weighed: Series =
         core::array::from_fn(|n| carried_square[n] + pull * l * sin_carried[n] + with_inertia(n));
     let along: Series = core::array::from_fn(|n| l * l * square[n] + with_inertia(n));
     let excess = led(law.inertia_excess[1].abs() + l * of.height, l, &of.cosines);
     let [held, loaded, along, driven, turned] = [
-        product(&of.d, &weighed),
-        product(&sin_carried, &of.d),
-        product(&of.d, &along),
-        product(&of.sines, &excess),
-        product(&of.cosines, &of.d),
+        times(&of.d, &weighed),
+        times(&sin_carried, &of.d),
+        times(&of.d, &along),
+        times(&of.sines, &excess),
+        times(&of.cosines, &of.d),
     ];
     let by_energy: Series =
         core::array::from_fn(|n| l * (driven[n] + mu * (l * square[n] + turned[n])));
-    let by_energy = product(&of.energy, &by_energy);
+    let by_energy = times(&of.energy, &by_energy);
     core::array::from_fn(|n| mu * held[n] + pull * along[n] + l * loaded[n] + by_energy[n])
 }
