@@ -170,8 +170,8 @@ export const PALETTES = {
       rolling: '#018de9',
       sliding: '#fb9d52',
       gliding: '#ec98d6',
-      flight: '#8edcf4',
-      rest: '#f0f8b0',
+      flight: '#95e1fa',
+      rest: '#fcfcc0',
       skidding: '#7d3fdc',
     },
     class: {
@@ -188,7 +188,7 @@ export const PALETTES = {
       unresolved: '#5d5e61',
       invalid: '#202124',
       not_computed: '#14171d',
-      rests: '#173119',
+      rests: '#163018',
     },
     arrow: {
       normal_force: '#4fd1a1',
