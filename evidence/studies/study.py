@@ -26,6 +26,7 @@ NAMES = (
     "gradients-through-contact",
     "real-film",
     "doubted-fits",
+    "measured-data",
     "telephone",
     "sequences",
 )

@@ -177,12 +177,14 @@ def never_flies(track: Track, hoop: Hoop) -> bool:
 def _variance(best: _Fit, known: float) -> tuple[float, float]:
     """Return the variance of frames over what is thought of it, and its degrees of freedom.
 
-    It is that of the flights and that of the differences from frame to frame together, unless they
-    contradict each other at 1 %.
+    It is that of the flights and that of the differences from frame to frame together. That of the
+    flights alone counts where it is larger at 0.5 %, and where it is so much smaller that the
+    differences must be those of a fast motion: else a short flight that is straight by chance would
+    be trusted.
     """
     fdtri = require("scipy.special").fdtri
     own, left = best.squares / best.left, float(best.left)
-    if not fdtri(left, known, 0.005) < own < fdtri(left, known, 0.995):
+    if not fdtri(left, known, 1.0 / _GOOD_TRACKS) < own < fdtri(left, known, 0.995):
         return own, left
     return (best.squares + known) / (left + known), left + known
 

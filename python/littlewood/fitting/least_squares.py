@@ -86,7 +86,8 @@ def fit(
         has one, the track may continue after a landing. The slope of the plane is that of `hoop`,
         or with "slope" its first guess, which should be right to about 0.1 rad.
     slips_at_start : bool, optional
-        Whether to estimate the slip velocity at the start; otherwise it is 0.
+        Whether to estimate the slip velocity at the start; otherwise it is 0. Where a start that
+        rolls is the more probable, it is 0 as well, and no `start_slip` is estimated.
     start : mapping, optional
         First guesses of `theta`, `theta_rate`, `slip`, `x` where the first frames do not determine
         them.

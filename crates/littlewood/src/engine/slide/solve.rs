@@ -139,6 +139,8 @@ impl SegmentResult {
 #[derive(Clone, Copy, Debug)]
 struct PeriodStart {
     mirror: f64,
+    /// The edge of the grid at which it is.
+    edge: Option<usize>,
     theta: f64,
     elapsed: f64,
     /// Turning points before it.
@@ -511,6 +513,7 @@ impl<'a> Slide<'a> {
     fn start_period(&mut self) {
         self.period_start = Some(PeriodStart {
             mirror: self.frame.mirror,
+            edge: self.edge,
             theta: self.frame.theta,
             elapsed: self.point.elapsed,
             turning_points: self.turning_points,
@@ -522,14 +525,17 @@ impl<'a> Slide<'a> {
     /// The period that ends here; none if it does not.
     fn period_since(&self, start: &PeriodStart) -> Option<Period> {
         let MotionFrame { mirror, theta, .. } = self.frame;
+        // Mostly the edge tells, which costs less than the turns.
+        if mirror != start.mirror || self.edge != start.edge {
+            return None;
+        }
         let turned = theta - start.theta;
         let turns = if turned.abs() < PI {
             0.0
         } else {
             (turned / TAU).round()
         };
-        let is_same = mirror == start.mirror
-            && (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
+        let is_same = (turned - TAU * turns).abs() <= PERIOD_TOLERANCE * (1.0 + theta.abs());
         let is_later = turns != 0.0 || self.turning_points >= start.turning_points + 2.0;
         (is_same && is_later).then_some(Period {
             duration: self.point.elapsed - start.elapsed,

@@ -1,0 +1,194 @@
+"""Measured data: clocks of good and of wrong tracks, and fits of good tracks by the command."""
+
+from __future__ import annotations
+
+import csv
+import functools
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import littlewood as lw
+import numpy as np
+import numpy.typing as npt
+from littlewood.fitting.fall import Fall, fall_of
+
+from .film.command import KINDS, filmed, random_motions
+from .film.throws import FREE, throw
+from .page import table
+from .study import PAGES, Study
+
+RATES = (24.0, 30.0, 60.0, 120.0, 240.0)
+TRACKS = 1000
+SEED = 6
+"""No track of this seed was seen before the limits were set."""
+THROWS = 50
+NAMED = 0.01
+"""From which probability on a sequence is named."""
+OFF = 0.04
+"""By which part a clock is wrong."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Checked:
+    """What the check says of a track, and of the same track with a wrong clock."""
+
+    rate: float
+    noise_m: float
+    good: Fall | None
+    wrong: Fall | None
+
+
+def _checked(
+    motion: lw.Trajectory,
+    rate: float,
+    noise_m: float,
+    noise_rad: float,
+    random: np.random.Generator,
+) -> Checked:
+    track = filmed(motion, rate, noise_m, noise_rad, random)
+    factor = (1.0 + OFF) ** random.choice([-1.0, 1.0])
+    slow = replace(track, time=factor * track.time)
+    hoop = motion.hoop
+    return Checked(rate=rate, noise_m=noise_m, good=fall_of(track, hoop), wrong=fall_of(slow, hoop))
+
+
+@functools.cache
+def good_tracks() -> list[Checked]:
+    """Tracks of any motion, level or on a slope, of every rate, with noise up to 3 mm."""
+
+    def drawn() -> Iterator[Checked]:
+        for number in range(TRACKS):
+            random = np.random.default_rng([SEED, number])
+            slope = random.choice([0.0, random.uniform(-0.2, 0.2)])
+            yield _checked(
+                next(random_motions(random, slope)),
+                RATES[number % len(RATES)],
+                random.uniform(0.0, 0.003),
+                random.uniform(0.0, 0.01),
+                random,
+            )
+
+    return list(drawn())
+
+
+@functools.cache
+def throws() -> list[Checked]:
+    """Throws that land twice within a second, with noise of 1 mm and of 3 mm."""
+    found = []
+    for number in range(THROWS):
+        random = np.random.default_rng([SEED, 1, number])
+        motion = throw(random).motion
+        for rate in RATES:
+            for noise_m in (0.001, 0.003):
+                found.append(_checked(motion, rate, noise_m, 0.004, random))
+    return found
+
+
+def refused() -> str:
+    """How many good tracks are refused."""
+    found = good_tracks()
+    return f"{sum(one.good is not None and one.good.is_wrong for one in found)} of {len(found)}"
+
+
+def of_rates() -> list[str]:
+    """Good tracks by their rates."""
+    lines = []
+    for rate in RATES:
+        rows = [one for one in good_tracks() if one.rate == rate]
+        told = [one.good for one in rows if one.good is not None]
+        pulls = np.array([(one.gravity - 1.0) / one.std_error for one in told])
+        within = np.mean(np.abs(pulls) < 1.96)
+        lines.append(
+            [
+                f"{rate:g}",
+                str(len(rows)),
+                str(len(told)),
+                f"{100.0 * within:.0f} %",
+                str(sum(one.is_wrong for one in told)),
+            ]
+        )
+    heads = ["frames a second", "tracks", "with flights", "g in ±1.96 errors", "refused"]
+    return table(heads, lines)
+
+
+def of_wrong_clocks() -> list[str]:
+    """Throws with a wrong clock, by what their flights tell."""
+    lines = []
+    for low, high in ((0.0, 0.01), (0.01, 0.015), (0.015, 0.03), (0.03, np.inf)):
+        rows = [
+            one.wrong
+            for one in throws()
+            if one.wrong is not None and low <= one.wrong.std_error / one.wrong.gravity < high
+        ]
+        named = sum(one.is_wrong for one in rows)
+        size = f"{100 * low:g} % to {100 * high:g} %" if high < np.inf else f"{100 * low:g} % on"
+        lines.append([size, str(len(rows)), f"{100.0 * named / len(rows):.0f} %"])
+    silent = sum(one.wrong is None for one in throws())
+    lines.append(["no flight above 0.03 R", str(silent), "0 %"])
+    return table(["standard error of g", "throws", "named"], lines)
+
+
+@functools.cache
+def fits() -> list[dict[str, str]]:
+    """Return the lines of the table of fits."""
+    with (PAGES / "measured-data" / "fits.csv").open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def pulls(rows: list[dict[str, str]], name: str) -> npt.NDArray[np.float64]:
+    """Return errors over standard errors, where a coefficient is identifiable."""
+    return np.array(
+        [
+            (float(row[f"{name}_value"]) - float(row[f"{name}_true"])) / float(row[f"{name}_error"])
+            for row in rows
+            if row[f"{name}_error"] != "inf"
+        ]
+    )
+
+
+def _parts(values: npt.NDArray[np.float64]) -> list[str]:
+    return [
+        str(values.size),
+        *(f"{100.0 * np.mean(np.abs(values) < limit):.0f} %" for limit in (0.994, 1.96)),
+    ]
+
+
+def coverage() -> list[str]:
+    """How often intervals contain the truth."""
+    lines = [[name, *_parts(pulls(fits(), name))] for name in FREE]
+    everything = np.concatenate([pulls(fits(), name) for name in FREE])
+    lines.append(["all", *_parts(everything)])
+    return table(["coefficient", "intervals", "68 % contain the truth", "95 %"], lines)
+
+
+def within(limit: float) -> str:
+    """How many of all intervals of a size contain the truth."""
+    values = np.concatenate([pulls(fits(), name) for name in FREE])
+    return f"{100.0 * np.mean(np.abs(values) < limit):.0f} %"
+
+
+def sequences() -> list[str]:
+    """How often the true sequence is found, or named with its odds."""
+    lines = []
+    for kind in KINDS:
+        rows = [row for row in fits() if row["kind"] == kind]
+        found = sum(row["phases"] == row["found"] for row in rows)
+        named = sum(float(row["probability"]) > NAMED for row in rows)
+        lines.append([kind, str(len(rows)), str(found), str(named)])
+    return table(["kind", "tracks", "found", "found or named"], lines)
+
+
+STUDY = Study(
+    name="measured-data",
+    texts={
+        "refused": refused,
+        "rates": of_rates,
+        "clocks": of_wrong_clocks,
+        "coverage": coverage,
+        "68": lambda: within(0.994),
+        "95": lambda: within(1.96),
+        "sequences": sequences,
+    },
+    pictures={},
+)
+"""What may be believed of measured data."""
