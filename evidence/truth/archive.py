@@ -47,6 +47,7 @@ UNITS = {
     "energy": ("m2 g R", "J"),
     "normal": ("m2 g", "N"),
     "friction": ("m2 g", "N"),
+    "couple": ("m2 g R", "N m"),
     "normal_impulse": ("m2 √(gR)", "N s"),
     "friction_impulse": ("m2 √(gR)", "N s"),
     "energy_lost": ("m2 g R", "J"),
@@ -55,6 +56,7 @@ UNITS = {
     "inertia": ("m2 R²", "1"),
     "mu_s": ("1", "1"),
     "mu_k": ("1", "1"),
+    "rolling_resistance": ("1", "m"),
     "slope": ("rad", "rad"),
     "restitution": ("1", "1"),
     "until": ("√(R/g)", "s"),
@@ -70,9 +72,11 @@ MEANINGS = {
     "events": "how many events it has",
     "reason": "why nothing is certified",
     "event": "number of the event in its motion, from 0",
+    "half_swings": "of a motion that rests: how often it rolled from one θ′ = 0 to the next",
     "cause": "what happens",
     "to": "motion that follows; empty where it ends",
     "direction": "sign of the slip velocity where the contact slips, else 0",
+    "rotation": "sign of θ′ while the hoop turns in contact, else 0; with rolling resistance only",
     "impact": "how friction acts in the impact; empty where there is none",
     "phase": "number of the phase in its motion, from 0",
     "mode": "motion in the phase",
@@ -86,6 +90,7 @@ MEANINGS = {
     "energy": "total energy",
     "normal": "force of the plane along its normal",
     "friction": "force of the plane along it",
+    "couple": "couple of rolling resistance; empty without it",
     "normal_impulse": "impulse of the plane along its normal",
     "friction_impulse": "impulse of the plane along it",
     "energy_lost": "energy lost in the impact",
@@ -94,6 +99,7 @@ MEANINGS = {
     "inertia": "moment of inertia of the hoop about its centre over m2 R²",
     "mu_s": "coefficient of static friction",
     "mu_k": "coefficient of kinetic friction",
+    "rolling_resistance": "coefficient of rolling resistance, a length",
     "slope": "angle of the plane, which rises to the right",
     "restitution": "coefficient of restitution; empty where a landing ends the motion",
     "restitution_law": "energetic, poisson or newton",
@@ -143,6 +149,9 @@ def motions() -> Iterator[Row]:
                 key: hoop.get(key, "")
                 for key in ("mass_ratio", "offset", "inertia", *SI_HOOP, "mu_s", "mu_k")
             },
+            "rolling_resistance": hoop.get(
+                "rolling_resistance_m" if case["units"] == "si" else "rolling_resistance", 0.0
+            ),
             "slope": hoop.get("slope", 0.0),
             "restitution": hoop.get("restitution", ""),
             "restitution_law": hoop.get("restitution_law", ""),
@@ -150,6 +159,7 @@ def motions() -> Iterator[Row]:
             "until": "" if case["until"] is None else case["until"],
             "certified": one["certified"],
             "end": one["end"]["kind"] if one["certified"] else "",
+            "half_swings": one.get("end", {}).get("half_swings", ""),
             "events": len(one.get("events", ())),
             "reason": one.get("reason", ""),
         }
@@ -170,6 +180,7 @@ def events() -> Iterator[Row]:
                 "cause": event["cause"],
                 "to": event["to"] or "",
                 "direction": event["direction"],
+                "rotation": event.get("rotation", ""),
             }
             impact = event.get("impact", {})
             row["impact"] = impact.get("case", "")
@@ -191,8 +202,10 @@ def samples() -> Iterator[Row]:
             for sample in phase["samples"]:
                 row: Row = {"motion": name, "units": one["case"]["units"], "phase": number}
                 row |= {"mode": phase["mode"], "direction": phase["direction"]}
+                row["rotation"] = phase.get("rotation", "")
                 yield row | {
-                    key: float(Fraction(sample[key][0])) for key in (*STATE, "normal", "friction")
+                    key: float(Fraction(sample[key][0])) if key in sample else ""
+                    for key in (*STATE, "normal", "friction", "couple")
                 }
 
 

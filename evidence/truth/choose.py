@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 import littlewood as lw
+from littlewood.certify import Case, certify
 
 HERE = Path(__file__).parent
 SEED = 20260815
@@ -493,6 +494,211 @@ def ramps() -> Iterator[Draw]:
             yield one | dict(name=f"{family}-{numbers[family]:02d}")
 
 
+def proved(
+    family: str,
+    parts: list[tuple[int, Callable[[random.Random], Draw], Callable[[Draw], bool]]],
+    *first: Draw,
+) -> Iterator[Draw]:
+    """Yield named cases, then draw until so many certificates of each part fit.
+
+    The maker follows what is drawn; a motion has few events.
+    """
+    found = 0
+    for one in first:
+        found += 1
+        yield one | dict(name=f"{family}-{found:02d}")
+    for part, (count, draw, fits) in enumerate(parts):
+        rng = random.Random(f"{SEED} {family} {part}")
+        wanted = found + count
+        while found < wanted:
+            one = draw(rng) | dict(family=family, name=f"{family}-{found + 1:02d}")
+            certificate = certify(Case.read(one))
+            if certificate["certified"] and len(certificate["events"]) < 14 and fits(certificate):
+                found += 1
+                yield one
+
+
+def resisted(
+    rng: random.Random,
+    start: tuple[float, float, float],
+    chi: tuple[float, float],
+    mu_s: tuple[float, float],
+    until: float | None = None,
+    **hoop: float,
+) -> Draw:
+    """Return a hoop with rolling resistance, a start of θ, θ′ and η′, and a limit."""
+    drawn = hoops(rng)
+    drawn["mu_s"] = round(rng.uniform(*mu_s), 2)
+    drawn["mu_k"] = round(drawn["mu_s"] * rng.choice([1.0, 0.9, 0.8, 0.6]), 3)
+    drawn["rolling_resistance"] = float(f"{math.exp(rng.uniform(*map(math.log, chi))):.2g}")
+    first = dict(
+        zip(("theta", "theta_rate", "slip"), (round(one, 2) for one in start), strict=True)
+    )
+    return case("", 0, drawn | hoop, first, until)
+
+
+def modes(certificate: Draw) -> list[str]:
+    """Return the modes of the phases of a certificate."""
+    return [one["mode"] for one in certificate["phases"]]
+
+
+def rests_in(certificate: Draw, *wanted: str) -> bool:
+    """Whether a motion comes to rest, and has all of these modes or causes on its way."""
+    causes = [one["cause"] for one in certificate["events"]]
+    return certificate["end"]["kind"] == "rests" and {*wanted} <= {*modes(certificate), *causes}
+
+
+def angles(certificate: Draw) -> tuple[float, float]:
+    """Return θ at the start and at the end."""
+    return certificate["case"]["start"]["theta"], float(certificate["end"]["state"]["theta"][0])
+
+
+def rests_rolling() -> Iterator[Draw]:
+    """Librations and rotations that come to rest without a slip."""
+
+    def librates(rng: random.Random) -> Draw:
+        theta = math.pi + rng.uniform(0.4, 2.4) * rng.choice([-1, 1])
+        return resisted(rng, (theta, 0.0, 0.0), (0.02, 0.2), (0.4, 1.2))
+
+    def rotates(rng: random.Random) -> Draw:
+        rate = rng.uniform(1.5, 3.5) * rng.choice([-1, 1])
+        return resisted(rng, (rng.uniform(-3.1, 3.1), rate, 0.0), (0.06, 0.4), (1.0, 2.0))
+
+    def rolls_only(certificate: Draw) -> bool:
+        return rests_in(certificate) and {*modes(certificate)} == {"rolling", "rest"}
+
+    def turned(certificate: Draw) -> float:
+        start, end = angles(certificate)
+        return abs(end - start)
+
+    def far_side(certificate: Draw) -> bool:
+        start, end = (math.sin(angle) for angle in angles(certificate))
+        return len(certificate["events"]) == 1 and start * end < -0.02
+
+    yield from proved(
+        "rests-rolling",
+        [
+            (10, librates, lambda c: rolls_only(c) and len(c["events"]) > 1),
+            (4, librates, lambda c: rolls_only(c) and far_side(c)),
+            (10, rotates, lambda c: rolls_only(c) and turned(c) > 7),
+        ],
+    )
+
+
+def rests_sliding() -> Iterator[Draw]:
+    """Slides and skids on a level plane, up to rest."""
+
+    def slips(rng: random.Random) -> Draw:
+        slip = rng.choice([0.0, rng.uniform(-1, 1)])
+        start = rng.uniform(-3.1, 3.1), rng.uniform(-2.5, 2.5), slip
+        return resisted(rng, start, (0.02, 0.5), (0.1, 0.5))
+
+    def reverses(rng: random.Random) -> Draw:
+        start = rng.uniform(-3.1, 3.1), rng.uniform(-2.5, 2.5), rng.uniform(-0.3, 0.3)
+        return resisted(rng, start, (0.1, 0.5), (0.03, 0.2))
+
+    def skids(rng: random.Random) -> Draw:
+        rate = rng.choice([0.0, rng.uniform(-0.3, 0.3)])
+        start = rng.uniform(-3.1, 3.1), rate, rng.uniform(-1.5, 1.5)
+        return resisted(rng, start, (0.05, 0.8), (0.1, 0.8), 40.0)
+
+    skid = dict(mass_ratio=1.0, offset=0.6, inertia=0.5, mu_s=0.4, mu_k=0.3, rolling_resistance=0.1)
+    yield from proved(
+        "rests-sliding",
+        [
+            (10, slips, lambda c: rests_in(c, "slip", "stick")),
+            (4, reverses, lambda c: rests_in(c, "reversal")),
+            (5, skids, lambda c: rests_in(c, "skidding")),
+            (5, skids, lambda c: rests_in(c, "skidding", "rolling")),
+        ],
+        case("rests-sliding", 1, skid, dict(theta=1.21625, theta_rate=0.0, slip=0.5), None),
+    )
+
+
+def rests_landing() -> Iterator[Draw]:
+    """Thrown hoops with rolling resistance in their impacts, and jams."""
+
+    def thrown(rng: random.Random, e: float, until: float | None) -> Draw:
+        start = rng.uniform(-3.1, 3.1), rng.uniform(-1, 1), rng.uniform(-0.6, 0.6)
+        found = resisted(rng, start, (0.05, 1.0), (0.1, 1.0), until, restitution=e)
+        found["start"]["gap_rate"] = round(rng.uniform(0.3, 1.5), 2)
+        return found | dict(hoop=found["hoop"] | dict(restitution_law=law(rng)))
+
+    def law(rng: random.Random) -> str:
+        return rng.choice(["energetic", "poisson", "newton"])
+
+    def falls(rng: random.Random) -> Draw:
+        return thrown(rng, 0.0, None)
+
+    def bounces(rng: random.Random) -> Draw:
+        return thrown(rng, rng.choice([0.3, 0.6, 0.9]), 4.0)
+
+    def jams(rng: random.Random) -> Draw:
+        ratio, mu = rng.choice([0.05, 0.1, 0.125, 0.2]), round(rng.uniform(0.6, 2.5), 2)
+        start = (
+            rng.uniform(-3.1, 3.1),
+            rng.uniform(-1.5, 1.5),
+            rng.choice([0.0, rng.uniform(-1, 1)]),
+        )
+        light = dict(mass_ratio=ratio, offset=1.0, inertia=ratio, mu_k=mu)
+        found = resisted(rng, start, (0.3, 4.0), (mu, mu), restitution=0.0, **light)
+        return found | dict(hoop=found["hoop"] | dict(restitution_law=law(rng)))
+
+    yield from proved(
+        "rests-landing",
+        [
+            (8, falls, lambda c: rests_in(c, "landing")),
+            (4, bounces, lambda c: c["end"]["kind"] == "time_limit"),
+            (4, jams, lambda c: rests_in(c, "jam")),
+        ],
+    )
+
+
+def ramp_rests() -> Iterator[Draw]:
+    """Hoops and discs that come to rest on a slope; some roll on downhill."""
+
+    def slope(rng: random.Random, steepest: float) -> float:
+        return round(rng.uniform(0.03, steepest) * rng.choice([-1, 1]), 2)
+
+    def hoop(rng: random.Random) -> Draw:
+        slip = rng.choice([0.0, rng.uniform(-1, 1)])
+        start = rng.uniform(-3.1, 3.1), rng.uniform(-2, 2), slip
+        return resisted(rng, start, (0.03, 0.5), (0.3, 1.5), 40.0, slope=slope(rng, 0.35))
+
+    def released(rng: random.Random) -> Draw:
+        start = rng.uniform(-3.1, 3.1), 0.0, 0.0
+        return resisted(rng, start, (0.03, 0.3), (0.3, 1.5), 40.0, slope=slope(rng, 0.35))
+
+    def disc(rng: random.Random) -> Draw:
+        start = rng.uniform(-3, 3), rng.uniform(-2, 2), rng.choice([0.0, rng.uniform(-2, 2)])
+        steep = slope(rng, 0.4)
+        return resisted(rng, start, (0.03, 0.6), (0.1, 0.8), 6.0, offset=0.0, slope=steep)
+
+    def downhill(rng: random.Random) -> Draw:
+        found = resisted(rng, (3.14, 0.0, 0.0), (0.02, 0.3), (1.5, 1.5), 10.0)
+        side, hoop = rng.choice([-1, 1]), found["hoop"]
+        hoop["slope"] = round(side * math.atan(hoop["rolling_resistance"] * 1.25), 3)
+        found["start"]["theta_rate"] = round(side * rng.uniform(1.5, 2.5), 2)
+        return found
+
+    def rolls_on(certificate: Draw) -> bool:
+        start, end = certificate["case"]["start"]["theta"], certificate["end"].get("state")
+        on = certificate["end"]["kind"] == "time_limit" and modes(certificate)[-1] == "rolling"
+        return on and end is not None and abs(float(end["theta"][0]) - start) > 6
+
+    yield from proved(
+        "ramp-rests",
+        [
+            (8, hoop, lambda c: rests_in(c, "sliding", "rolling")),
+            (4, released, lambda c: rests_in(c, "rolling")),
+            (4, disc, lambda c: rests_in(c, "turning_point")),
+            (2, disc, lambda c: rests_in(c, "skidding")),
+            (2, disc, rolls_on),
+            (4, downhill, rolls_on),
+        ],
+    )
+
+
 def on_plane(motion: Any) -> bool:
     """Whether the rim stays at the plane."""
     return "lift_off" not in causes(motion)
@@ -520,6 +726,10 @@ FAMILIES = (
     massless,
     si,
     ramps,
+    rests_rolling,
+    rests_sliding,
+    rests_landing,
+    ramp_rests,
 )
 
 

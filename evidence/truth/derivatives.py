@@ -443,6 +443,7 @@ def is_within(certificate: dict[str, Any]) -> bool:
         certificate["certified"]
         and certificate["events"]
         and has_inertia
+        and not case["hoop"].get("rolling_resistance")
         and case["units"] == "dimensionless"
     )
 

@@ -46,8 +46,12 @@ QUICK = (
     "near-tie-10",
     "paper-02",
     "ramp-jump-15",
+    "ramp-rests-02",
     "ramp-rolling-16",
     "ramp-sliding-14",
+    "rests-landing-14",
+    "rests-rolling-12",
+    "rests-sliding-18",
     "reversal-chain-17",
     "settles-sliding-04",
     "settles-sticking-02",
@@ -61,13 +65,15 @@ SETTLES = ("settles-sliding-02", "settles-sliding-12", "settles-sticking-01", "s
 """More that settle."""
 
 NAMES = {
-    "mode": ("rolling", "sliding", "flight"),
-    "to": ("rolling", "sliding", "flight"),
-    "cause": ("stick", "slip", "landing"),
+    "mode": ("rolling", "sliding", "flight", "skidding", "rest"),
+    "to": ("rolling", "sliding", "flight", "skidding", "rest"),
+    "cause": ("stick", "slip", "landing", "turning_point"),
     "case": ("slides", "sticks_in_compression"),
-    "kind": ("landing", "time_limit"),
+    "kind": ("landing", "time_limit", "rests"),
     "recurrence": ("libration", "rotation"),
     "direction": (-1, 0, 1),
+    "rotation": (-1, 0, 1),
+    "half_swings": (0, 1, 2),
 }
 """What else a name may be replaced by."""
 

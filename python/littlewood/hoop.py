@@ -41,6 +41,9 @@ class Hoop:
         Coefficient of static friction, μs ≥ μk.
     mu_k : float
         Coefficient of kinetic friction, μk ≥ 0.
+    rolling_resistance : float, optional
+        Coefficient χ ≥ 0 of rolling resistance, a length over the radius. With χ > 0 the hoop
+        comes to rest.
     slope : float, optional
         Angle α by which the plane rises to the right, rad, |α| < π/2. On a slope x is measured
         along the plane and θ from its normal.
@@ -82,6 +85,7 @@ class Hoop:
     inertia: float
     mu_s: float
     mu_k: float
+    rolling_resistance: float = 0.0
     slope: float = 0.0
     restitution: float | None = None
     restitution_law: str | None = None
@@ -105,6 +109,7 @@ class Hoop:
         inertia_kg_m2: float,
         mu_s: float,
         mu_k: float,
+        rolling_resistance_m: float = 0.0,
         slope: float = 0.0,
         restitution: float | None = None,
         restitution_law: str | None = None,
@@ -126,6 +131,8 @@ class Hoop:
             Moment of inertia I_zz of the disc about its centre, kg m²: m1 R² for a thin hoop.
         mu_s, mu_k : float
             Coefficients of static and kinetic friction, 0 ≤ μk ≤ μs.
+        rolling_resistance_m : float, optional
+            Coefficient of rolling resistance, m.
         slope : float, optional
             Angle by which the plane rises to the right, rad.
         restitution, restitution_law : optional
@@ -152,11 +159,14 @@ class Hoop:
             "gravity_m_per_s2": gravity_m_per_s2,
             "mu_s": mu_s,
             "mu_k": mu_k,
+            "rolling_resistance_m": rolling_resistance_m,
             "slope": slope,
             "restitution": restitution,
         }
         checked = [
-            None if name == "restitution" and restitution is None else real(given[name], name)
+            None
+            if QUANTITIES[name].is_optional and given[name] is None
+            else real(given[name], name)
             for name in SI_HOOP
         ]
         found = _core.hoop_from_si(checked, restitution_law)
@@ -185,13 +195,16 @@ class Hoop:
     def attributes(self) -> dict[str, float | str]:
         """Attributes of data sets.
 
-        The parameters of the hoop, and the slope and the law of restitution, if any.
+        The parameters of the hoop but those that go without saying, and the law of restitution, if
+        any.
         """
+        named = {name: getattr(self, name) for name in HOOP}
         named = {
-            **{name: getattr(self, name) for name in HOOP},
-            "restitution_law": self.restitution_law,
+            name: value
+            for name, value in named.items()
+            if not (QUANTITIES[name].goes_without_saying and value == QUANTITIES[name].default)
         }
-        named["slope"] = self.slope or None
+        named["restitution_law"] = self.restitution_law
         return {name: value for name, value in named.items() if value is not None}
 
     @property

@@ -83,7 +83,7 @@ class Phase:
     mode : str
         Mode of motion, one of :data:`littlewood.tables.MODES`.
     direction : {-1, 0, 1}
-        Sign of the slip velocity; 0 for rolling and flight.
+        Sign of the slip velocity; 0 for rolling, rest and flight.
     start : State
         State at the start.
     end : State or None
@@ -91,7 +91,7 @@ class Phase:
     energy_start : float
         Energy at the start (2.8), m2 g R.
     energy_lost : float
-        Energy lost to friction during the phase, m2 g R, without an impact that ends it.
+        Energy lost to friction and rolling resistance during the phase, m2 g R, without an impact that ends it.
     is_small_inertia_limit : bool
         False for a glide that is not the limit of motions of a heavy hoop as its inertia vanishes.
     ended_by : int or None

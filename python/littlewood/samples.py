@@ -29,7 +29,7 @@ class Samples(Mapping[str, Any]):
         Codes of the modes, places in :data:`littlewood.tables.MODES`; -1 outside the motion, and
         before a jam without a consistent motion.
     direction : ndarray of int8
-        Sign of the slip velocity; 0 for rolling and flight.
+        Sign of the slip velocity; 0 for rolling, rest and flight.
     time, theta, theta_rate, slip, x : ndarray
         State: √(R/g), rad, √(g/R), √(gR), R. In flight `slip` is that of a landing there.
     theta_acceleration, slip_acceleration : ndarray

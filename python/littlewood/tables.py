@@ -15,8 +15,9 @@ from ._frozen import Frozen
 class Quantity(NamedTuple):
     """A quantity: names, units, bounds and default.
 
-    One that is optional has no default, and a meaning where it is absent. `cf_unit` and `scale` are
-    those of a value in the system of (2.9): the value is a multiple of the scale.
+    One that is optional has no default, and a meaning where it is absent. The default of one that
+    goes without saying is left out of attributes. `cf_unit` and `scale` are those of a value in the
+    system of (2.9): the value is a multiple of the scale.
     """
 
     name: str
@@ -34,6 +35,7 @@ class Quantity(NamedTuple):
     bounds: list[str]
     default: float | None
     is_optional: bool
+    goes_without_saying: bool
 
 
 class SampleColumn(NamedTuple):

@@ -194,7 +194,8 @@ class Trajectory:
         """The phases, one letter each.
 
         R rolling; + and - sliding with positive and negative slip velocity; g, n and G gliding with
-        positive, negative and without slip velocity; F flight; … where there are more than 15.
+        positive, negative and without slip velocity; F flight; 0 rest; S and s skidding with
+        positive and negative slip velocity; … where there are more than 15.
         """
         return self._core.sequence()
 
@@ -205,8 +206,13 @@ class Trajectory:
 
     @property
     def energy_lost(self) -> float:
-        """Energy lost, m2 g R: to friction in sliding, and in impacts."""
+        """Energy lost, m2 g R: to friction, to rolling resistance, and in impacts."""
         return self._core.energy_lost()
+
+    @property
+    def rolling_resistance_energy_lost(self) -> float:
+        """Energy lost to rolling resistance, m2 g R, without its part in impacts."""
+        return self._core.rolling_resistance_energy_lost()
 
     @property
     def impact_energy_lost(self) -> float:

@@ -110,7 +110,8 @@ def test_quantities_of_a_motion(hoop):
     motion = hoop.simulate(theta=math.pi / 2, theta_rate=2.0)
     found = motion.derivatives()
     assert found["quantity"].values.tolist() == [
-        *(name for name in lw.tables.HOOP if name != "restitution"),
+        # Rolling resistance is not built yet.
+        *(name for name in lw.tables.HOOP if name not in ("restitution", "rolling_resistance")),
         *lw.tables.START,
     ]
     assert dict(found.sizes) == {"transition": 4, "quantity": 12}

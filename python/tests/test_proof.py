@@ -12,7 +12,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from littlewood.certify import NoCertificate, Proof, Refused, checker
 from littlewood.certify.__main__ import main
-from littlewood.certify.checker import DOWN, GAP, SLIP, UP, Range
+from littlewood.certify.checker import DOWN, GAP, SLIP, TURNING, UP, Range
 from littlewood.certify.picture import caption, description, title
 from littlewood.certify.proof import _enclosed
 from littlewood.plot.canvas import PictureError
@@ -61,6 +61,9 @@ def test_the_stretches_are_the_time_between_the_events(proof):
             assert last.enclosed - last.start == pytest.approx(
                 period, abs=2 * math.ulp(last.enclosed)
             )
+    elif end["kind"] == "rests":
+        assert (last.mode, last.end, last.guards) == ("rest", None, {})
+        assert abs(last.start - time(end["state"])) <= math.ulp(last.start)
     else:
         assert abs(last.end - time(end["state"])) <= math.ulp(last.end)
         assert (
@@ -144,11 +147,15 @@ def test_at_one_place_of_a_flight_the_gap_is_enclosed_narrowly():
 def guards_of(sample, mode, hoop):
     """What guards are at a sample of a hoop with mass."""
     normal, friction = float(sample["normal"][0]), float(sample["friction"][0])
-    if mode == "rolling":
-        return {UP: hoop["mu_s"] * normal - friction, DOWN: hoop["mu_s"] * normal + friction}
+    slip = {SLIP: abs(float(sample["slip"][0]))}
+    turns = {TURNING: abs(float(sample["theta_rate"][0]))} if "couple" in sample else {}
     return {
-        "sliding": {SLIP: abs(float(sample["slip"][0]))},
+        "rolling": {UP: hoop["mu_s"] * normal - friction, DOWN: hoop["mu_s"] * normal + friction}
+        | turns,
+        "sliding": slip | turns,
         "flight": {GAP: float(sample["gap"][0])},
+        "skidding": slip,
+        "rest": {},
     }[mode]
 
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use littlewood::Trajectory;
-use littlewood::derivatives::Derivatives;
+use littlewood::derivatives::{Derivatives, differentiable};
 use littlewood::tables::Quantity;
 use littlewood_report::Subject;
 use littlewood_report::page::Look;
@@ -101,10 +101,8 @@ fn derivatives(names: &[Names], trajectory: &Trajectory) -> Result<Option<Deriva
         return Ok(None);
     }
     let bounces = trajectory.hoop().restitution().is_some();
-    let all = Quantity::HOOP.into_iter().chain(Quantity::START);
-    let all = all.filter(|quantity| bounces || *quantity != Quantity::Restitution);
     let named = names.iter().flat_map(|names| match names {
-        Names::All => Vec::from_iter(all.clone()),
+        Names::All => Vec::from_iter(differentiable(bounces)),
         Names::One(quantity) => vec![*quantity],
     });
     let mut quantities: Vec<Quantity> = Vec::new();

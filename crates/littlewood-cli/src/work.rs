@@ -4,7 +4,7 @@
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
-use littlewood::derivatives::NotDifferentiable;
+use littlewood::derivatives::{NotDifferentiable, differentiable};
 use littlewood::si::Units;
 use littlewood::tables::{DerivativeColumn, Quantity, Setup};
 use littlewood::{HoopParameters, Limits, RestitutionLaw, Start};
@@ -105,7 +105,7 @@ pub(crate) fn derivatives(
     let mut derivatives = Vec::new();
     for column in wanted {
         let quantity = column.quantity;
-        if quantity == Quantity::Restitution && !bounces {
+        if !differentiable(bounces).any(|known| known == quantity) {
             return Err(Error::NotDifferentiable(NotDifferentiable { quantity }));
         }
         if !derivatives.contains(column) {

@@ -16,7 +16,7 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
     let massless = ["--mass-ratio", "0", "--inertia", "0"];
     let massless_impact = [&massless[..], &["--restitution", "0.5"]].concat();
     let massless_flight = [&massless[..], &["--gap-rate", "0.5"]].concat();
-    let cases: [(&[&str], &str, &str); 24] = [
+    let cases: [(&[&str], &str, &str); 25] = [
         (
             &["--restitution", "1.5"],
             "restitution = 1.5 must not exceed 1",
@@ -26,6 +26,11 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
             &["--restitution", "-0.1"],
             "restitution = -0.1 must not be negative",
             "0 is an impact without rebound",
+        ),
+        (
+            &["--rolling-resistance", "-1"],
+            "rolling_resistance = -1 must not be negative",
+            "0 is a hoop that rolls for ever",
         ),
         (
             &["--restitution", "nan"],

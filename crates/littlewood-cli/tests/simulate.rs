@@ -149,6 +149,30 @@ fn the_energy_lost_is_that_between_the_start_and_the_lift_off() {
     assert!(number(&phases[0]["energy_lost"]) > 0.0 && number(&phases[2]["energy_lost"]) > 0.0);
 }
 
+/// In a skid ½ m η′² is lost to friction, and all else in rolling (docs/theory/rolling-resistance.md).
+#[test]
+fn a_hoop_that_rests_tells_what_each_kind_of_friction_took() {
+    let flags = "simulate --mass-ratio 1 --offset 0.6 --inertia 0.5 --mu-s 0.4 --mu-k 0.3 \
+                 --rolling-resistance 0.1 --theta 1.21625 --theta-rate 0 --slip 0.5";
+    let flags: Vec<&str> = flags.split_whitespace().collect();
+    let document = json(&flags);
+    let outcome = &document["outcome"];
+    assert_eq!(
+        (&outcome["kind"], &outcome["half_swings"]),
+        (&Value::from("rests"), &Value::from(2))
+    );
+    assert_close(number(&outcome["time"]), 14.997_017_142, 1e-9);
+    let [lost, to_resistance] =
+        ["energy_lost", "rolling_resistance_energy_lost"].map(|name| number(&document[name]));
+    assert_close(lost - to_resistance, 0.25, 1e-13);
+    let page = text(&flags);
+    assert!(
+        page.contains("m₂gR lost to rolling resistance, 0.25 m₂gR lost in sliding"),
+        "{page}"
+    );
+    assert!(page.contains("skidding →"), "{page}");
+}
+
 #[test]
 fn negative_numbers_are_taken_after_a_space_and_after_an_equals_sign() {
     let hoop = &FIGURE_3[..10];

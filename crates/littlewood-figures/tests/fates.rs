@@ -71,6 +71,7 @@ fn class(motion: &Trajectory) -> Class {
         | OutcomeKind::StepLimit
         | OutcomeKind::StaysInContact => Class::InContact,
         OutcomeKind::Landing => Class::LiftsOffLater,
+        OutcomeKind::Rests => Class::Rests,
         OutcomeKind::Unresolved => Class::Unresolved,
         OutcomeKind::Invalid => Class::Invalid,
         OutcomeKind::NotComputed => Class::NotComputed,

@@ -368,7 +368,10 @@ impl<'a> Shown<'a> {
                 let value = part.of(parts);
                 let height = match part {
                     EnergyPart::Potential => value - least,
-                    EnergyPart::Kinetic | EnergyPart::Friction | EnergyPart::Impacts => value,
+                    EnergyPart::Kinetic
+                    | EnergyPart::Friction
+                    | EnergyPart::RollingResistance
+                    | EnergyPart::Impacts => value,
                 };
                 [*time, below + height.max(0.0)]
             };
@@ -449,7 +452,7 @@ fn pieces(with: With, samples: &[Sample]) -> Vec<Piece> {
 }
 
 /// The parts of the energy of the samples, each with its time.
-fn energies(ledger: &EnergyLedger, samples: &[Sample]) -> Vec<(f64, EnergyParts)> {
+fn energies(ledger: &EnergyLedger<'_>, samples: &[Sample]) -> Vec<(f64, EnergyParts)> {
     let parts = |sample: &Sample| Some((sample.state.time, ledger.parts(sample)?));
     samples.iter().filter_map(parts).collect()
 }
@@ -501,7 +504,7 @@ fn most_demand(trajectory: &Trajectory) -> f64 {
 
 /// The scale of the energies of a motion with a little air above; of one that does not begin, or
 /// that does not move, something.
-fn range_of_energies(ledger: Option<&EnergyLedger>, samples: &[Sample]) -> [f64; 2] {
+fn range_of_energies(ledger: Option<&EnergyLedger<'_>>, samples: &[Sample]) -> [f64; 2] {
     let [low, high] = ledger.map_or([0.0; 2], |ledger| ledger.scale(samples));
     let span = if high > low { high - low } else { 1.0 };
     [low, low + 1.05 * span]

@@ -65,10 +65,11 @@ fn the_parts_add_up_to_the_energy_at_the_start() {
                 kinetic: moving,
                 potential,
                 friction,
+                rolling_resistance,
                 impacts,
                 start,
             } = parts;
-            let sum = moving + potential + friction + impacts;
+            let sum = moving + potential + friction + rolling_resistance + impacts;
             assert!(
                 (sum - start).abs() < 1e-11 * start.max(1.0),
                 "{} {index}: {sum} and {start}",

@@ -1,6 +1,6 @@
 //! Derivatives of a motion, column by column.
 
-use littlewood::derivatives::{NoDerivative, NotDifferentiable};
+use littlewood::derivatives::{NoDerivative, NotDifferentiable, differentiable};
 use littlewood::modes::Recurrence;
 use littlewood::tables::{Detail, Quantity, SampleColumn};
 use littlewood::{State, Trajectory};
@@ -66,13 +66,11 @@ fn quantities(
     motion: &Trajectory,
     names: Option<Vec<String>>,
 ) -> PyResult<Vec<Quantity>> {
-    let known = || Quantity::HOOP.into_iter().chain(Quantity::START);
     let Some(names) = names else {
         let bounces = motion.hoop().restitution().is_some();
-        return Ok(known()
-            .filter(|quantity| bounces || *quantity != Quantity::Restitution)
-            .collect());
+        return Ok(differentiable(bounces).collect());
     };
+    let known = || Quantity::HOOP.into_iter().chain(Quantity::START);
     let find = |name: &String| known().find(|quantity| quantity.name() == name);
     names
         .iter()

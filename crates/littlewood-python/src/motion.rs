@@ -365,6 +365,10 @@ impl Trajectory {
         self.0.energy_lost()
     }
 
+    fn rolling_resistance_energy_lost(&self) -> f64 {
+        self.0.rolling_resistance_energy_lost()
+    }
+
     fn impact_energy_lost(&self) -> f64 {
         self.0.impact_energy_lost()
     }

@@ -48,6 +48,9 @@ pub(crate) fn quantities(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
             )?;
             dict.set_item("default", row.presence.default_value())?;
             dict.set_item("is_optional", row.presence == Presence::Optional)?;
+            let default = row.presence.default_value();
+            let unsaid = default.is_some_and(|value| quantity.goes_without_saying(value));
+            dict.set_item("goes_without_saying", unsaid)?;
             Ok(dict)
         })
         .collect()

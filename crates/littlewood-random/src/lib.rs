@@ -283,6 +283,52 @@ impl Draw {
         Hoop::new(hoop.parameters().with_slope(slope)).unwrap_or(*hoop)
     }
 
+    /// A hoop whose rotation the plane resists: by coefficients of any size, often next to the least
+    /// at which a level hoop rests anywhere, or at which rolling has Painlevé's paradox.
+    pub fn resisted(&mut self, hoop: &Hoop) -> Hoop {
+        let coefficient = match self.below(10) {
+            0 => self.beside(hoop.h()),
+            1 => {
+                let offset = hoop.offset();
+                let ratio = (1.0 + hoop.mass_ratio() + hoop.inertia() + offset * offset) / offset;
+                self.beside((ratio * ratio - 4.0).max(0.0).sqrt())
+            }
+            2..=5 => self.of_any_size([-12.0, 1.0]),
+            6 | 7 => self.allowed(Quantity::RollingResistance),
+            _ => self.between(Quantity::RollingResistance.row().usual),
+        };
+        let resists = |coefficient: f64| {
+            Hoop::new(hoop.parameters().with_rolling_resistance(coefficient)).ok()
+        };
+        resists(coefficient.max(0.0)).unwrap_or(*hoop)
+    }
+
+    /// As [`Draw::in_contact`] with rolling resistance, often without rotation, and next to an angle
+    /// at which the hoop begins to turn out of rest or of a skid.
+    pub fn resisted_in_contact(&mut self) -> (Hoop, Start) {
+        let (hoop, start) = self.in_contact();
+        let hoop = self.resisted(&hoop);
+        let mut start = start;
+        if self.comes(0.4) {
+            start.theta_rate = 0.0;
+        }
+        if self.comes(0.3) {
+            // The weight at rest, and kinetic friction in a skid, pull with this part of N.
+            let pull = match SlipDirection::of_sign(start.slip) {
+                None => libm::tan(hoop.slope()),
+                Some(direction) => -direction.sign() * hoop.mu_k(),
+            };
+            let arm = hoop.h() * (1.0 + pull * pull).sqrt();
+            let balance = self.one_of(&[-1.0, 1.0]) * hoop.rolling_resistance() - pull;
+            let angle = libm::asin(balance / arm);
+            let angle = if self.comes(0.5) { angle } else { PI - angle };
+            if angle.is_finite() {
+                start.theta = self.beside(angle - libm::atan(pull));
+            }
+        }
+        (hoop, start)
+    }
+
     /// A hoop and a start in contact with sizes about one, for the modes that may follow: level or
     /// on a slope, down to small inertia, on rough planes and smooth ones. Often next to where a
     /// mode begins to be consistent, or on it: the lift-off of the particle, the limits of the

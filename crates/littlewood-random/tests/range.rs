@@ -32,6 +32,43 @@ fn every_size_is_drawn() {
     }
 }
 
+/// Coefficients of rolling resistance of each size come, none at all and the bound; and hoops at
+/// rest and in a skid at an edge, where what turns them equals what resists.
+#[test]
+fn resistance_is_drawn_at_every_size_and_at_the_edges() {
+    let mut decades = BTreeSet::new();
+    let (mut at_edge, mut seen) = ([0; 2], [false; 2]);
+    for number in 0..20_000 {
+        let (hoop, start) = Draw::of_case(3, 2, number).resisted_in_contact();
+        let chi = hoop.rolling_resistance();
+        if chi == 0.0 {
+            seen[0] = true;
+            continue;
+        }
+        seen[1] |= Quantity::RollingResistance.check(chi.next_up()).is_err();
+        decades.insert(libm::floor(libm::log10(chi)) as i32);
+        if start.theta_rate == 0.0 && start.gap_rate == 0.0 {
+            let (sin, cos) = libm::sincos(start.theta);
+            let (arm, lever) = (hoop.h() * sin, 1.0 + hoop.h() * cos);
+            let pull = if start.slip == 0.0 {
+                libm::tan(hoop.slope())
+            } else {
+                -hoop.mu_k().copysign(start.slip)
+            };
+            let turns = (arm + lever * pull).abs();
+            if (turns - chi).abs() < 1e-8 * (arm.abs() + lever * pull.abs()) {
+                at_edge[usize::from(start.slip != 0.0)] += 1;
+            }
+        }
+    }
+    assert!(
+        (-12..=8).all(|decade| decades.contains(&decade)),
+        "{decades:?}"
+    );
+    assert_eq!(seen, [true; 2]);
+    assert!(at_edge.iter().all(|count| *count > 100), "{at_edge:?}");
+}
+
 /// Most differ, though bounds and ties are drawn again and again.
 #[test]
 fn motions_differ() {

@@ -155,6 +155,7 @@ fn gap_rate_at_limit(trajectory: &Trajectory) -> f64 {
         | OutcomeKind::SlipsForever
         | OutcomeKind::RepeatsForever
         | OutcomeKind::StaysInContact
+        | OutcomeKind::Rests
         | OutcomeKind::ParticleAtPlane
         | OutcomeKind::ParticleAtBottom
         | OutcomeKind::ParticleAtTop

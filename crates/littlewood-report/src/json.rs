@@ -114,7 +114,8 @@ pub fn motion(
     write(writer, &document)
 }
 
-/// The energy lost, and the part of it that impacts have where there can be any.
+/// The energy lost, and the parts of it that rolling resistance and impacts have where there can be
+/// any.
 fn energy_lost(trajectory: &Trajectory) -> Vec<(&'static str, Detail)> {
     let energy = |name, value| (name, Detail::Real(value, Dimension::Energy));
     let impacts = trajectory
@@ -122,8 +123,15 @@ fn energy_lost(trajectory: &Trajectory) -> Vec<(&'static str, Detail)> {
         .restitution()
         .map(|_| trajectory.impact_energy_lost());
     let impacts = impacts.map(|lost| energy(SummaryColumn::ImpactEnergyLost.name(), lost));
+    let resistance = (trajectory.hoop().rolling_resistance() > 0.0).then(|| {
+        energy(
+            "rolling_resistance_energy_lost",
+            trajectory.rolling_resistance_energy_lost(),
+        )
+    });
     [energy("energy_lost", trajectory.energy_lost())]
         .into_iter()
+        .chain(resistance)
         .chain(impacts)
         .collect()
 }

@@ -2,7 +2,7 @@
 
 use littlewood::cases::{CASES, find_case};
 use littlewood::si::SiParameters;
-use littlewood::{Hoop, Limits, Mode, Start};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, Start};
 use littlewood_report::scale::Scale;
 use littlewood_report::sentence;
 
@@ -152,6 +152,46 @@ fn a_slip_that_is_rounding_is_none() {
         let text = sentence::transition(&motion, index, PLAIN).unwrap();
         assert!(!text.contains("slips"), "{index}: {text}");
     }
+}
+
+/// The skid of docs/theory/rolling-resistance.md, and the disc that slips by its own resistance: it
+/// needs |F|/N = χ m/(Î + m) to roll.
+#[test]
+fn a_hoop_that_rests_says_what_holds_it() {
+    let hoop = |offset: f64, [mu_s, mu_k, chi]: [f64; 3]| {
+        let parameters = HoopParameters::thin(1.0)
+            .with_offset(offset)
+            .with_inertia(0.5)
+            .with_friction(mu_s, mu_k)
+            .with_rolling_resistance(chi);
+        Hoop::new(parameters).unwrap()
+    };
+    let skid = hoop(0.6, [0.4, 0.3, 0.1])
+        .simulate(Start::at(1.21625, 0.0).with_slip(0.5), Limits::default())
+        .unwrap();
+    let told = (0..3).map(|i| sentence::transition(&skid, i, PLAIN).unwrap());
+    let told: Vec<String> = [sentence::start(&skid, PLAIN)]
+        .into_iter()
+        .chain(told)
+        .chain([sentence::outcome(&skid, PLAIN)])
+        .collect();
+    assert_eq!(
+        told,
+        [
+            "Skids to the right: it slips, and rolling resistance holds it against its weight.",
+            "Sticks and rolls: the slip has died away, and static friction holds the contact point.",
+            "Turns back: it has stopped, and its weight outdoes the rolling resistance.",
+            "Comes to rest: it has stopped, and rolling resistance holds it against its weight.",
+            "Rests for ever, after 2 half swings: rolling resistance holds it against its weight.",
+        ]
+    );
+    let disc = hoop(0.0, [0.2, 0.2, 0.3])
+        .simulate(Start::at(0.0, 1.0), Limits::default())
+        .unwrap();
+    assert_eq!(
+        sentence::start(&disc, PLAIN),
+        "Slips: rolling would have needed a friction coefficient of 0.24; there is 0.2."
+    );
 }
 
 #[test]

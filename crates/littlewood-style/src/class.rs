@@ -17,6 +17,7 @@ pub const fn of_class(class: Class, theme: Theme) -> Rgb {
         Class::ParticleAtPlane => theme.pick(0xb69ec9, 0x665177),
         Class::ParticleAtBottom => theme.pick(0x400f33, 0xffcfdc),
         Class::ParticleAtTop => theme.pick(0x686300, 0xa39b00),
+        Class::Rests => theme.pick(0xb4d89a, 0x184413),
         Class::Painleve => theme.pick(0x000000, 0xffffff),
         Class::Unresolved => theme.pick(0x616161, 0x989898),
         Class::Invalid => theme.pick(0xe4e4e4, 0x292929),

@@ -15,6 +15,8 @@ named! {
         DashDot = "dash_dot",
         /// Short dashes.
         Short = "short",
+        /// A dash and two dots.
+        DashDotDot = "dash_dot_dot",
     }
 }
 
@@ -28,6 +30,7 @@ impl Dash {
             Self::Dotted => &[1.0, 1.8],
             Self::DashDot => &[6.0, 2.0, 1.0, 2.0],
             Self::Short => &[2.5, 1.8],
+            Self::DashDotDot => &[6.0, 2.0, 1.0, 2.0, 1.0, 2.0],
         }
     }
 }

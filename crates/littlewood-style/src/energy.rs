@@ -17,8 +17,10 @@ named! {
         Potential = "potential",
         /// Kinetic.
         Kinetic = "kinetic",
-        /// Lost to friction in sliding.
+        /// Lost to friction in slip.
         Friction = "lost_to_friction",
+        /// Lost to rolling resistance.
+        RollingResistance = "lost_to_rolling_resistance",
         /// Lost in impacts.
         Impacts = "lost_in_impacts",
     }
@@ -31,6 +33,7 @@ impl EnergyPart {
             Self::Kinetic => "kinetic",
             Self::Potential => "potential",
             Self::Friction => "lost to friction",
+            Self::RollingResistance => "lost to rolling resistance",
             Self::Impacts => "lost in impacts",
         }
     }
@@ -41,6 +44,7 @@ impl EnergyPart {
             Self::Kinetic => parts.kinetic,
             Self::Potential => parts.potential,
             Self::Friction => parts.friction,
+            Self::RollingResistance => parts.rolling_resistance,
             Self::Impacts => parts.impacts,
         }
     }
@@ -51,6 +55,7 @@ impl EnergyPart {
             Self::Kinetic => Accent::Teal.colour(theme),
             Self::Potential => Accent::Violet.colour(theme),
             Self::Friction => Arrow::FrictionForce.colour(theme),
+            Self::RollingResistance => Accent::Brown.colour(theme),
             Self::Impacts => Arrow::Impulse.colour(theme),
         }
     }

@@ -12,7 +12,9 @@ pub const fn of_mode(mode: Mode, theme: Theme) -> Rgb {
         Mode::Rolling => theme.pick(0x004b87, 0x018de9),
         Mode::Sliding => theme.pick(0xbf5300, 0xfb9d52),
         Mode::Gliding => theme.pick(0xc66d9e, 0xec98d6),
-        Mode::Flight => theme.pick(0x2e9dd4, 0xa2ebfe),
+        Mode::Flight => theme.pick(0x2e9dd4, 0x95e1fa),
+        Mode::Rest => theme.pick(0x300000, 0xfcfcc0),
+        Mode::Skidding => theme.pick(0x300c8a, 0x7d3fdc),
     }
 }
 
@@ -23,5 +25,7 @@ pub const fn dash_of(mode: Mode) -> Dash {
         Mode::Sliding => Dash::Dashed,
         Mode::Gliding => Dash::DashDot,
         Mode::Flight => Dash::Dotted,
+        Mode::Rest => Dash::DashDotDot,
+        Mode::Skidding => Dash::Short,
     }
 }

@@ -42,7 +42,8 @@ fn lab(colour: Rgb) -> [f64; 3] {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// Whether two classes can be found in one map of a kind of hoop. A hoop with inertia may leave the
+/// Whether two classes can be found in one map of a kind of hoop. One with rolling resistance rests
+/// where one without it rolls, slips or repeats itself for ever. A hoop with inertia may leave the
 /// plane and may be faster than the clock; with friction it may slip for ever or meet P ≤ 0, and
 /// without it repeats itself. The particle of a massless one comes to the plane, or to the bottom
 /// if it is inside the rim.
@@ -73,9 +74,31 @@ fn meet(a: Class, b: Class) -> bool {
         Class::ParticleAtTop,
         Class::Painleve,
     ];
-    [&HEAVY[..], &WITHOUT_FRICTION[..], &MASSLESS[..]]
-        .into_iter()
-        .any(|kind| kind.contains(&a) && kind.contains(&b))
+    const RESISTED: [Class; 6] = [
+        Class::LeavesAtOnce,
+        Class::LiftsOffLater,
+        Class::Rests,
+        Class::InContact,
+        Class::Painleve,
+        Class::Unresolved,
+    ];
+    const MASSLESS_RESISTED: [Class; 6] = [
+        Class::Rests,
+        Class::InContact,
+        Class::ParticleAtPlane,
+        Class::ParticleAtBottom,
+        Class::ParticleAtTop,
+        Class::Painleve,
+    ];
+    [
+        &HEAVY[..],
+        &WITHOUT_FRICTION[..],
+        &MASSLESS[..],
+        &RESISTED[..],
+        &MASSLESS_RESISTED[..],
+    ]
+    .into_iter()
+    .any(|kind| kind.contains(&a) && kind.contains(&b))
 }
 
 #[test]
@@ -88,6 +111,7 @@ fn modes_that_meet_differ_in_grey() {
                 .filter(|edge| edge.body == body)
                 .flat_map(|edge| [edge.from, edge.to])
                 .flatten()
+                .chain([Mode::Rest, Mode::Skidding])
                 .collect();
             seen.extend(&set);
             for &a in &set {

@@ -11,8 +11,9 @@ use crate::setup::{RESTITUTION_LAW, given};
 use crate::starts::StartList;
 
 /// Version of the files that stores consist of. Version 1 had sequences of three bits a phase and
-/// no version, version 2 no columns of impacts, version 4 NaN in tables and attributes with parts.
-pub const STORE_FORMAT: u32 = 5;
+/// no version, version 2 no columns of impacts, version 4 NaN in tables and attributes with parts,
+/// version 5 no half swings.
+pub const STORE_FORMAT: u32 = 6;
 
 const SPACING: &str = "spacing";
 

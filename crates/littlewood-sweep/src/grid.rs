@@ -152,12 +152,13 @@ impl Grid {
             .find(|axis| axis.varies().quantities().any(|varied| varied == quantity))
     }
 
-    /// The quantities of [`Quantity::AXES`] that have a value and no axis.
+    /// The quantities of [`Quantity::AXES`] that have no axis, and a value that does not go without
+    /// saying.
     pub(crate) fn fixed(&self) -> impl Iterator<Item = (Quantity, f64)> + '_ {
         let fixed = Quantity::AXES
             .into_iter()
             .filter(|&quantity| self.axis(quantity).is_none());
-        fixed.filter_map(|quantity| Some((quantity, self.base.get(quantity)?)))
+        fixed.filter_map(|quantity| Some((quantity, self.base.said(quantity)?)))
     }
 
     /// Checks every quantity alone: bounds are intervals, so checking the ends of an axis checks

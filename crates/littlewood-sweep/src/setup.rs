@@ -1,7 +1,7 @@
 //! The quantities of a setup, a hoop with a start, as sweeps name them.
 
 use littlewood::RestitutionLaw;
-use littlewood::tables::{Quantity, Setup};
+use littlewood::tables::{Group, Quantity, Setup};
 
 /// All quantities of a setup, in the order of tables: what a motion depends on, then where and when
 /// it starts.
@@ -16,10 +16,11 @@ pub(crate) fn places() -> impl Iterator<Item = Quantity> {
         .filter(|quantity| !Quantity::AXES.contains(quantity))
 }
 
-/// Those of [`quantities`] that a setup gives a value; the slope only where there is one.
+/// Those of [`quantities`] that a setup gives a value; of the hoop none that goes without saying.
 pub(crate) fn given(setup: &Setup) -> impl Iterator<Item = (Quantity, f64)> {
-    let is_listed =
-        |(quantity, value): &(Quantity, f64)| *quantity != Quantity::Slope || *value != 0.0;
+    let is_listed = |(quantity, value): &(Quantity, f64)| {
+        quantity.group() != Group::Hoop || !quantity.goes_without_saying(*value)
+    };
     quantities()
         .filter_map(|quantity| Some((quantity, setup.get(quantity)?)))
         .filter(is_listed)

@@ -136,6 +136,43 @@ fn a_point_has_the_summary_of_its_simulation() {
     assert_eq!(invalid, (4 + usize::from(equal)) * 77);
 }
 
+/// Without rolling resistance nothing rests; with χ ≥ h a level hoop rests wherever it is put. Between
+/// them each half swing ends, and the last one within the band h |sin θ| ≤ χ.
+#[test]
+fn a_map_by_resistance_has_where_and_when_hoops_rest() {
+    let resistance = Axis::new(Quantity::RollingResistance, 0.0, 0.6, 4).unwrap();
+    let theta = Axis::new(Quantity::Theta, -3.0, 3.0, 7).unwrap();
+    let mut base = figure_2();
+    base.start.theta_rate = 0.0;
+    let h = Hoop::new(base.hoop).unwrap().h();
+    let grid = Grid::new(base, vec![resistance, theta]).unwrap();
+    let columns = workers(1)
+        .compute(grid.points(0..grid.len()), Limits::default())
+        .unwrap();
+    let mut rest = [0; 4];
+    for (number, found) in columns.summaries().enumerate() {
+        let point = grid.point(number as u64);
+        let chi = point.hoop.rolling_resistance;
+        let motion = Hoop::new(point.hoop)
+            .unwrap()
+            .simulate(point.start, Limits::default())
+            .unwrap();
+        assert_eq!(found.half_swings, motion.summary().half_swings, "{point:?}");
+        assert_eq!(found.end, motion.summary().end, "{point:?}");
+        if Class::of(&found) == Class::Rests {
+            assert!(h * libm::sin(found.end.theta).abs() <= chi, "{point:?}");
+            assert_eq!(found.outcome, OutcomeKind::Rests);
+            rest[number / 7] += 1;
+        }
+        if chi >= h {
+            assert_eq!((found.end.time, found.half_swings), (0.0, 0), "{point:?}");
+            assert_eq!(found.end.theta, point.start.theta, "{point:?}");
+        }
+    }
+    assert_eq!((rest[0], rest[3]), (0, 7));
+    assert!(rest[1] > 0 && rest[2] > 0, "{rest:?}");
+}
+
 #[test]
 fn points_are_numbered_row_by_row() {
     let grid = map(3);
@@ -332,7 +369,10 @@ fn a_slice_of_starts_can_be_computed() {
 }
 
 fn any_grid() -> impl Strategy<Value = (Grid, usize)> {
-    let counts = prop::sample::subsequence(Quantity::AXES.to_vec(), 1..=4)
+    // Rolling resistance is not built yet.
+    let mut quantities = Quantity::AXES.to_vec();
+    quantities.retain(|quantity| *quantity != Quantity::RollingResistance);
+    let counts = prop::sample::subsequence(quantities, 1..=4)
         .prop_shuffle()
         .prop_flat_map(|quantities| {
             let len = quantities.len();

@@ -79,7 +79,7 @@ fn mistakes_in_csv_are_named_with_line_and_column() {
     assert_eq!(
         message("theta,omega\n1,2\n"),
         "starts.csv: there is no quantity \"omega\"; columns are theta, theta_rate, slip, gap_rate, mass_ratio, \
-         offset, inertia, mu_s, mu_k, slope, restitution, x, time"
+         offset, inertia, mu_s, mu_k, rolling_resistance, slope, restitution, x, time"
     );
     assert_eq!(
         message("theta\r\n\r\n1\r\nx\r\n"),

@@ -125,7 +125,7 @@ impl Motion {
             .trajectory
             .sample_evenly(EXAMINED, self.horizon())
             .collect();
-        let scale = |ledger: EnergyLedger| ledger.scale(&samples).to_vec();
+        let scale = |ledger: EnergyLedger<'_>| ledger.scale(&samples).to_vec();
         EnergyLedger::new(&self.trajectory).map_or_else(Vec::new, scale)
     }
 

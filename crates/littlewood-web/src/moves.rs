@@ -2,7 +2,7 @@
 
 use core::cmp::Ordering;
 
-use littlewood::derivatives::{Derivative, NoDerivative};
+use littlewood::derivatives::{Derivative, NoDerivative, differentiable};
 use littlewood::si::{SiSetup, Units};
 use littlewood::tables::{Dimension, Group, Quantity};
 use littlewood::{Cause, State, Trajectory};
@@ -185,7 +185,13 @@ fn values(problem: &Problem) -> impl Iterator<Item = (Quantity, f64)> {
     hoop.iter()
         .chain(start)
         .copied()
-        .filter(|quantity| quantity.group() != Group::Place)
+        .filter(|quantity| match quantity.group() {
+            Group::Hoop | Group::Start => {
+                differentiable(true).any(|known| known == quantity.dimensionless())
+            }
+            Group::Units => true,
+            Group::Place | Group::Run => false,
+        })
         .filter_map(move |quantity| {
             let value = match &si {
                 None => setup.get(quantity),

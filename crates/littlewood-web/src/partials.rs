@@ -1,6 +1,6 @@
 //! Small changes of a problem, and by how much they move an event.
 
-use littlewood::derivatives::Derivative;
+use littlewood::derivatives::{Derivative, differentiable};
 use littlewood::tables::Quantity;
 use littlewood::{State, Trajectory};
 
@@ -21,11 +21,8 @@ impl Partials {
         trajectory: &Trajectory,
         transition: usize,
     ) -> Option<Self> {
-        let setup = problem.setup();
-        let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-        let quantities: Vec<Quantity> = quantities
-            .filter(|quantity| setup.get(*quantity).is_some())
-            .collect();
+        let bounces = problem.hoop.restitution().is_some();
+        let quantities: Vec<Quantity> = differentiable(bounces).collect();
         // What comes after it need not be differentiated.
         let until_then = problem.limits.with_transitions(transition + 1);
         let motion = problem.hoop.simulate(problem.start, until_then).ok()?;

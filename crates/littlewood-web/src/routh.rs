@@ -8,8 +8,11 @@
 //! The way begins at the origin. It goes on with the slope −μk σ to the line of sticking, η′ = 0,
 //! and from there along that line or with the slope of the slip that follows; where it crosses the
 //! line of greatest compression, gap′ = 0, the gap begins to open.
+//!
+//! With rolling resistance a couple acts, too, which changes where the rotation does, and these are
+//! no straight lines: the picture has the way alone.
 
-use littlewood::impact::{Compliance, Impact, Impulse};
+use littlewood::impact::{Compliance, Impact, ImpactVertex};
 use littlewood::{Cause, Hoop, Transition};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -29,8 +32,8 @@ pub struct Routh {
     way: Vec<Point>,
     greatest_compression: Option<Point>,
     frame: Frame,
-    sticking: Line,
-    compression: Line,
+    sticking: Option<Line>,
+    compression: Option<Line>,
 }
 
 #[wasm_bindgen]
@@ -56,17 +59,21 @@ impl Routh {
     /// Both ends of the line of sticking in the picture; empty where it is outside.
     #[wasm_bindgen(js_name = lineOfSticking)]
     pub fn line_of_sticking(&self) -> Vec<f64> {
-        self.sticking.within(&self.frame)
+        self.within_frame(self.sticking)
     }
 
     /// Both ends of the line of greatest compression in the picture.
     #[wasm_bindgen(js_name = lineOfCompression)]
     pub fn line_of_compression(&self) -> Vec<f64> {
-        self.compression.within(&self.frame)
+        self.within_frame(self.compression)
     }
 }
 
 impl Routh {
+    fn within_frame(&self, line: Option<Line>) -> Vec<f64> {
+        line.map_or_else(Vec::new, |line| line.within(&self.frame))
+    }
+
     /// Of an impact of this hoop; none for a transition without one, and for bounces that settle,
     /// which are many.
     pub(crate) fn of(hoop: &Hoop, transition: &Transition) -> Option<Self> {
@@ -92,17 +99,14 @@ impl Routh {
             normal: c,
             value: -impact.before.gap_rate,
         };
-        let way: Vec<Point> = hoop
-            .impact_course(theta, impact)
-            .into_iter()
-            .map(point)
-            .collect();
-        let frame = Frame::around(
-            way.iter()
-                .copied()
-                .chain(sticking_in_sight(&way, &sticking)),
-        );
-        let greatest_compression = crossing(&way, impact, &compression);
+        let resists = hoop.rolling_resistance() > 0.0;
+        let [sticking, compression] =
+            [sticking, compression].map(|line| Some(line).filter(|_| !resists));
+        let course = hoop.impact_course(theta, impact);
+        let way: Vec<Point> = course.iter().map(point).collect();
+        let in_sight = sticking.and_then(|line| sticking_in_sight(&way, &line));
+        let frame = Frame::around(way.iter().copied().chain(in_sight));
+        let greatest_compression = crossing(&course);
         Some(Self {
             way,
             greatest_compression,
@@ -113,8 +117,8 @@ impl Routh {
     }
 }
 
-const fn point(impulse: Impulse) -> Point {
-    [impulse.normal, impulse.friction]
+const fn point(vertex: &ImpactVertex) -> Point {
+    [vertex.impulse.normal, vertex.impulse.friction]
 }
 
 /// Where a way without a bend would come to the line of sticking, if that is not far beyond its
@@ -126,20 +130,12 @@ fn sticking_in_sight(way: &[Point], sticking: &Line) -> Option<Point> {
 }
 
 /// Where the gap rate, linear along each part of the way, stops being negative.
-fn crossing(way: &[Point], impact: &Impact, compression: &Line) -> Option<Point> {
-    let last = way.len() - 1;
-    let gap_rate = |corner: usize| {
-        if corner == last {
-            impact.after.gap_rate
-        } else {
-            compression.excess(way[corner])
-        }
-    };
-    (0..last).find_map(|corner| {
-        let (from, to) = (gap_rate(corner), gap_rate(corner + 1));
+fn crossing(course: &[ImpactVertex]) -> Option<Point> {
+    course.windows(2).find_map(|ends| {
+        let [from, to] = [0, 1].map(|end| ends[end].velocities.gap_rate);
         let part = from / (from - to);
         (from < 0.0 && to >= 0.0).then(|| {
-            let (a, b) = (way[corner], way[corner + 1]);
+            let [a, b] = [0, 1].map(|end| point(&ends[end]));
             [a[0] + (b[0] - a[0]) * part, a[1] + (b[1] - a[1]) * part]
         })
     })

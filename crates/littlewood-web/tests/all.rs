@@ -12,3 +12,4 @@ mod plane;
 mod prediction;
 mod problem;
 mod routh;
+mod support;

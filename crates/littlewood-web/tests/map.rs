@@ -3,11 +3,13 @@
 use core::f64::consts::PI;
 
 use littlewood::cases::{CASES, find_case};
-use littlewood::tables::{Class, Quantity, Setup};
+use littlewood::tables::{Class, Setup};
 use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, RestitutionLaw, Start};
 use littlewood_sweep::Workers;
 use littlewood_web::hops::CLASSES;
 use littlewood_web::{MapSubject, OutcomeMap, Problem, class_of};
+
+use crate::support::problem_of;
 
 /// Figure 2, with another friction, slip and coefficient of restitution.
 fn figure_2(friction: [f64; 2], start: Start, restitution: Option<f64>) -> Problem {
@@ -17,14 +19,7 @@ fn figure_2(friction: [f64; 2], start: Start, restitution: Option<f64>) -> Probl
 }
 
 fn of_setup(hoop: HoopParameters, start: Start) -> Problem {
-    let setup = Setup::new(hoop, start);
-    let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-    let numbers: Vec<f64> = quantities
-        .filter(|it| *it != Quantity::Restitution)
-        .filter_map(|it| setup.get(it))
-        .collect();
-    let law = hoop.restitution_law.map(|law| law.name().to_owned());
-    Problem::dimensionless(&numbers, hoop.restitution, law, None).unwrap()
+    problem_of(&Setup::new(hoop, start), None)
 }
 
 fn plain() -> Problem {

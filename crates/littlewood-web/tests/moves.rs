@@ -2,10 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use littlewood::cases::find_case;
 use littlewood::derivatives::NoDerivative;
+use littlewood::si::{SiParameters, SiSetup, SiState};
 use littlewood::tables::Quantity;
 use littlewood_web::{Motion, Moves, Problem};
 use serde_json::Value;
+
+use crate::support::{problem_of, si_numbers};
 
 const TIME: usize = 0;
 const THETA: usize = 1;
@@ -32,12 +36,29 @@ fn of(problem: &Problem, transition: usize) -> Moves {
 
 #[test]
 fn a_uniform_hoop_that_is_thrown_has_the_moves_of_a_stone() {
-    // m1, m2, R, ℓ, Izz, g, μs, μk, α, θ, dθ/dt, dη/dt, rate of the gap, x, t: the mass centre is
-    // the centre.
-    let (gravity, slope, rate, lift, x): (f64, f64, f64, f64, f64) = (8.0, 0.25, 3.0, 2.0, 4.0);
-    let si = [
-        1.5, 0.5, 2.0, 0.0, 3.0, gravity, 0.5, 0.4, slope, 0.5, rate, 1.0, lift, x, 0.0,
-    ];
+    // The mass centre is the centre.
+    let (gravity, slope, rate, lift): (f64, f64, f64, f64) = (8.0, 0.25, 3.0, 2.0);
+    let si = si_numbers(&SiSetup {
+        hoop: SiParameters {
+            disc_mass_kg: 1.5,
+            particle_mass_kg: 0.5,
+            radius_m: 2.0,
+            inertia_kg_m2: 3.0,
+            gravity_m_per_s2: gravity,
+            mu_s: 0.5,
+            mu_k: 0.4,
+            slope,
+            ..SiParameters::default()
+        },
+        start: SiState {
+            theta_rad: 0.5,
+            theta_rate_rad_per_s: rate,
+            slip_m_per_s: 1.0,
+            gap_rate_m_per_s: lift,
+            x_m: 4.0,
+            ..SiState::default()
+        },
+    });
     let moves = of(&Problem::si(&si, None, None, None).unwrap(), 0);
     let (sin, cos) = (libm::sin(slope), libm::cos(slope));
     // t = 2 v/(g cos α), θ = θ₀ + θ̇ t.
@@ -76,9 +97,25 @@ fn a_uniform_hoop_that_is_thrown_has_the_moves_of_a_stone() {
 #[test]
 fn masses_that_grow_together_move_nothing() {
     // Only their ratios are in the equations.
-    let si = [
-        0.4, 0.14, 0.45, 0.45, 0.081, 9.8, 0.5, 0.4, 0.1, 1.2, 6.0, 0.0, 0.0, 0.0, 0.0,
-    ];
+    let si = si_numbers(&SiSetup {
+        hoop: SiParameters {
+            disc_mass_kg: 0.4,
+            particle_mass_kg: 0.14,
+            radius_m: 0.45,
+            offset_m: 0.45,
+            inertia_kg_m2: 0.081,
+            gravity_m_per_s2: 9.8,
+            mu_s: 0.5,
+            mu_k: 0.4,
+            slope: 0.1,
+            ..SiParameters::default()
+        },
+        start: SiState {
+            theta_rad: 1.2,
+            theta_rate_rad_per_s: 6.0,
+            ..SiState::default()
+        },
+    });
     let motion = Motion::new(&Problem::si(&si, None, None, None).unwrap(), None).unwrap();
     let moves = motion
         .moves(motion.transition_sentences().len() - 1)
@@ -108,24 +145,8 @@ fn masses_that_grow_together_move_nothing() {
 
 #[test]
 fn what_has_no_derivative_is_last_and_says_why() {
-    let numbers = [
-        1.0,
-        1.0,
-        1.0,
-        0.5,
-        0.4,
-        0.0,
-        core::f64::consts::FRAC_PI_2,
-        2.0,
-        0.0,
-        0.0,
-        0.0,
-        0.0,
-    ];
-    let moves = of(
-        &Problem::dimensionless(&numbers, None, None, None).unwrap(),
-        3,
-    );
+    let setup = find_case("figure-3").unwrap().setup;
+    let moves = of(&problem_of(&setup, None), 3);
     let rows: Value = serde_json::from_str(&moves.rows(X)).unwrap();
     let rows = rows.as_array().unwrap();
     assert_eq!(rows.len(), 10);

@@ -2,14 +2,17 @@
 
 use core::f64::consts::{FRAC_PI_2, TAU};
 
-use littlewood_web::{Plane, Problem};
+use littlewood::tables::Setup;
+use littlewood::{HoopParameters, Start};
+use littlewood_web::Plane;
+
+use crate::support::problem_of;
 
 /// (3.8) of the paper.
 #[test]
 fn the_forces_of_littlewoods_hoop_are_those_of_the_paper() {
-    // m1/m2, ℓ/R, Izz, μs, μk, α, θ, θ′, η′, gap′, x, τ.
-    let numbers = [0.0, 1.0, 0.0, 0.5, 0.4, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-    let problem = Problem::dimensionless(&numbers, None, None, None).unwrap();
+    let hoop = HoopParameters::thin(0.0).with_friction(0.5, 0.4);
+    let problem = problem_of(&Setup::new(hoop, Start::default()), None);
     let plane = Plane::new(&problem, -1.0, 3.0, 2.0);
     // The square of cos θ/2, and cos θ/2 sin θ/2.
     let places = [

@@ -3,17 +3,14 @@
 use littlewood::Trajectory;
 use littlewood::cases::find_case;
 use littlewood::derivatives::NoDerivative;
-use littlewood::tables::{Quantity, Setup};
-use littlewood::{Hoop, Limits};
-use littlewood_web::{Motion, Problem};
+use littlewood::tables::Setup;
+use littlewood::{Hoop, HoopParameters, Limits, Start};
+use littlewood_web::Motion;
+
+use crate::support::problem_of;
 
 /// Parts of a path.
 const PARTS: usize = 32;
-
-/// m1/m2, ℓ/R, Izz, μs, μk, α, θ, θ′, η′, gap′, x, τ.
-fn problem(numbers: [f64; 12]) -> Problem {
-    Problem::dimensionless(&numbers, None, None, None).unwrap()
-}
 
 /// Figure 3 with another kinetic friction and slip.
 fn setup_of(mu_k: f64, slip: f64) -> Setup {
@@ -29,31 +26,16 @@ fn motion_of(setup: Setup) -> Trajectory {
         .unwrap()
 }
 
-fn problem_of(setup: Setup) -> Problem {
-    problem(setup.values([
-        Quantity::MassRatio,
-        Quantity::Offset,
-        Quantity::Inertia,
-        Quantity::MuS,
-        Quantity::MuK,
-        Quantity::Slope,
-        Quantity::Theta,
-        Quantity::ThetaRate,
-        Quantity::Slip,
-        Quantity::GapRate,
-        Quantity::X,
-        Quantity::Time,
-    ]))
-}
-
 #[test]
 fn the_flight_of_a_stone_is_predicted_exactly() {
     // Without an offset the landing is at τ = 2 gap′, and linear in the rate; the mass centre rises
     // by gap′²/2.
     let thrown = |gap_rate| {
-        problem([
-            1.0, 0.0, 1.0, 0.5, 0.4, 0.0, 0.25, 1.5, 0.5, gap_rate, 0.0, 0.0,
-        ])
+        let hoop = HoopParameters::thin(1.0)
+            .with_offset(0.0)
+            .with_friction(0.5, 0.4);
+        let start = Start::at(0.25, 1.5).with_slip(0.5).with_gap_rate(gap_rate);
+        problem_of(&Setup::new(hoop, start), None)
     };
     let prediction = Motion::new(&thrown(1.0), None)
         .unwrap()
@@ -81,13 +63,13 @@ fn the_flight_of_a_stone_is_predicted_exactly() {
 #[test]
 fn what_a_prediction_misses_is_of_second_order() {
     let landing = 3;
-    let prediction = Motion::new(&problem_of(setup_of(0.4, 0.0)), None)
+    let prediction = Motion::new(&problem_of(&setup_of(0.4, 0.0), None), None)
         .unwrap()
         .prediction(landing)
         .unwrap();
     let missed = |change: f64| {
         let exact = setup_of(0.4 + change, 0.0);
-        prediction.of(&problem_of(exact)).landing()[0]
+        prediction.of(&problem_of(&exact, None)).landing()[0]
             - motion_of(exact).transitions()[landing].time()
     };
     // Of an even change the even orders are left: a second difference, quartered by halves but for
@@ -103,12 +85,12 @@ fn what_a_prediction_misses_is_of_second_order() {
 
 #[test]
 fn only_landings_are_predicted_and_what_has_no_derivative_has_a_reason() {
-    let motion = Motion::new(&problem_of(setup_of(0.4, 0.0)), None).unwrap();
+    let motion = Motion::new(&problem_of(&setup_of(0.4, 0.0), None), None).unwrap();
     assert!(motion.prediction(2).is_none() && motion.prediction(9).is_none());
     let ghost = motion
         .prediction(3)
         .unwrap()
-        .of(&problem_of(setup_of(0.4, 0.1)));
+        .of(&problem_of(&setup_of(0.4, 0.1), None));
     assert_eq!(
         ghost.reason().as_deref(),
         Some(NoDerivative::OneSided.label())
@@ -118,7 +100,7 @@ fn only_landings_are_predicted_and_what_has_no_derivative_has_a_reason() {
 
 #[test]
 fn the_path_is_that_of_the_motion_where_nothing_changes() {
-    let same = problem_of(setup_of(0.4, 0.0));
+    let same = problem_of(&setup_of(0.4, 0.0), None);
     let motion = motion_of(setup_of(0.4, 0.0));
     let path = Motion::new(&same, None)
         .unwrap()

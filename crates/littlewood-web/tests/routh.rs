@@ -2,24 +2,18 @@
 
 use littlewood::cases::find_case;
 use littlewood::impact::{Compliance, ImpactCase};
-use littlewood::tables::Quantity;
+use littlewood::tables::Setup;
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, RestitutionLaw, Start, Trajectory, Transition,
 };
-use littlewood_web::{Motion, Problem, Routh};
+use littlewood_web::{Motion, Routh};
+
+use crate::support::problem_of;
 
 /// A motion and the diagrams of its transitions.
 fn diagrams(hoop: Hoop, start: Start, limits: Limits) -> (Trajectory, Vec<Option<Routh>>) {
     let motion = hoop.simulate(start, limits).unwrap();
-    let setup = littlewood::tables::Setup::new(hoop.parameters(), start);
-    let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-    let numbers: Vec<f64> = quantities
-        .filter(|it| *it != Quantity::Restitution)
-        .filter_map(|it| setup.get(it))
-        .collect();
-    let law = hoop.restitution().map(|it| it.law().name().to_owned());
-    let e = hoop.restitution().map(|it| it.coefficient());
-    let problem = Problem::dimensionless(&numbers, e, law, limits.until).unwrap();
+    let problem = problem_of(&Setup::new(hoop.parameters(), start), limits.until);
     let ours = Motion::new(&problem, None).unwrap();
     let found = (0..motion.transitions().len())
         .map(|index| ours.routh(index))
@@ -148,4 +142,33 @@ fn bounces_that_settle_have_no_diagram() {
         .position(|it| it.cause == Cause::Settle)
         .unwrap();
     assert!(found[settle].is_none());
+}
+
+/// The couple bends the lines on which slip and gap rate vanish.
+#[test]
+fn with_rolling_resistance_a_diagram_has_its_way_alone() {
+    let parameters = HoopParameters::thin(1.0)
+        .with_friction(0.5, 0.4)
+        .with_rolling_resistance(0.2)
+        .with_restitution(0.5, RestitutionLaw::Energetic);
+    let start = Start::at(1.0, 0.5).with_slip(0.2).with_gap_rate(1.0);
+    let hoop = Hoop::new(parameters).unwrap();
+    let (motion, found) = diagrams(hoop, start, Limits::until(6.0));
+    let mut seen = 0;
+    for (transition, routh) in motion.transitions().iter().zip(&found) {
+        let Some(routh) = routh else { continue };
+        assert!(routh.line_of_sticking().is_empty() && routh.line_of_compression().is_empty());
+        let impact = transition.impact.unwrap();
+        let way = routh.way();
+        assert_eq!(way[..2], [0.0, 0.0]);
+        let end = [impact.impulse.normal, impact.impulse.friction];
+        assert_eq!(way[way.len() - 2..], end);
+        // It springs back with less impulse than it was pressed with.
+        let [p, _] = routh.greatest_compression()[..] else {
+            unreachable!()
+        };
+        assert!(0.5 * end[0] < p && p < end[0]);
+        seen += 1;
+    }
+    assert!(seen > 1);
 }

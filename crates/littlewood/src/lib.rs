@@ -98,7 +98,7 @@ pub use engine::Engine;
 pub use model::error::ParameterError;
 pub use model::hoop::{Hoop, HoopParameters};
 pub use model::limits::{Limits, Proof};
-pub use model::mode::{Mode, SlipDirection};
+pub use model::mode::{Mode, RotationDirection, SlipDirection};
 pub use model::restitution::{Restitution, RestitutionLaw};
 pub use model::state::{Start, State};
 pub use modes::sample::Sample;
@@ -150,7 +150,7 @@ pub mod impact {
 
     pub use crate::mechanics::bouncing::BouncingOrbit;
     pub use crate::mechanics::impact::{
-        Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, Impulse,
+        Compliance, ContactVelocities, Impact, ImpactCase, ImpactError, ImpactVertex, Impulse,
     };
     pub use crate::mechanics::settling::{NoSettling, Settling};
 }
@@ -187,7 +187,7 @@ pub mod derivatives {
 
     pub use crate::motion::derivatives::{
         Derivative, Derivatives, EventDerivative, InstantDerivative, NoDerivative,
-        NotDifferentiable, OutcomeDerivative,
+        NotDifferentiable, OutcomeDerivative, differentiable,
     };
 }
 

@@ -32,6 +32,7 @@ mod origins;
 mod promise;
 mod proofs;
 mod reference;
+mod resistance;
 mod reverse_chatter;
 mod rooms;
 mod serde;

@@ -257,13 +257,22 @@ fn throw() -> impl Strategy<Value = f64> {
     prop_oneof![2 => Just(0.0), 2 => 0.0..3.0_f64, 1 => (-12.0..0.0_f64).prop_map(|exponent| libm::pow(10.0, exponent))]
 }
 
+/// No rolling resistance, a little, and much.
+fn resistance() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => Just(0.0), 2 => 0.0..1.0_f64, 1 => (-9.0..1.0_f64).prop_map(libm::exp10)]
+}
+
 fn bouncing_motion() -> impl Strategy<Value = (Hoop, Start)> {
-    (heavy_motion(), restitution(), throw()).prop_map(|((hoop, start), restitution, gap_rate)| {
-        (
-            hoop.with_restitution(restitution).expect("heavy"),
-            start.with_gap_rate(gap_rate),
-        )
-    })
+    (heavy_motion(), restitution(), throw(), resistance()).prop_map(
+        |((hoop, start), restitution, gap_rate, chi)| {
+            let parameters = hoop.parameters().with_rolling_resistance(chi);
+            let hoop = Hoop::new(parameters).expect("a valid hoop");
+            (
+                hoop.with_restitution(restitution).expect("heavy"),
+                start.with_gap_rate(gap_rate),
+            )
+        },
+    )
 }
 
 fn follow(hoop: &Hoop, start: Start) -> Trajectory {
@@ -677,6 +686,146 @@ fn bounces_settle_or_grow_whatever_their_size() {
 }
 
 /// Velocities of all sizes, in powers of two: all numbers but those that underflow are the same.
+/// Bounces at a fixed angle, one by one: what they sum up to, and their last gap rate.
+struct OneByOne {
+    duration: f64,
+    after: [f64; 2],
+    impulse: [f64; 2],
+    works: [f64; 3],
+    /// Whether the rotation has ended in a bounce.
+    stops: bool,
+    gap_rate: f64,
+    ratio: f64,
+}
+
+impl OneByOne {
+    fn follow(hoop: &Hoop, start: &State, opening: f64, e: Restitution) -> Option<Self> {
+        let (sin, cos) = libm::sincos(start.theta);
+        let u = start.theta_rate * start.theta_rate;
+        let weight = libm::cos(hoop.slope()) - hoop.h() * cos * u;
+        let drift = -hoop.h() * sin * u - libm::sin(hoop.slope());
+        let mut sum = Self {
+            duration: 0.0,
+            after: [start.theta_rate, start.slip],
+            impulse: [0.0; 2],
+            works: [0.0; 3],
+            stops: false,
+            gap_rate: opening,
+            ratio: 0.0,
+        };
+        for _ in 0..100_000 {
+            let flight = 2.0 * sum.gap_rate / weight;
+            let [theta_rate, slip] = sum.after;
+            let state = State {
+                theta_rate,
+                slip: slip + drift * flight,
+                ..*start
+            };
+            let found = hoop.impact(&state, -sum.gap_rate, e).ok()?;
+            sum.duration += flight;
+            sum.after = [found.after.theta_rate, found.after.slip];
+            sum.impulse[0] += found.impulse.normal;
+            sum.impulse[1] += found.impulse.friction;
+            sum.works[0] += found.normal_work;
+            sum.works[1] += found.friction_work;
+            sum.works[2] += found.resistance_work;
+            sum.stops |= theta_rate != 0.0 && theta_rate * found.after.theta_rate <= 0.0;
+            sum.ratio = found.after.gap_rate / sum.gap_rate;
+            sum.gap_rate = found.after.gap_rate;
+            if sum.gap_rate < 1e-22 * opening {
+                break;
+            }
+        }
+        Some(sum)
+    }
+}
+
+/// With rolling resistance, on slopes, too; the rotation fast, as slow as the bounces, or none.
+#[test]
+fn bounces_with_rolling_resistance_sum_up_as_one_by_one() {
+    let (mut settled, mut grown) = ([0; 3], 0);
+    for number in 0..6_000 {
+        let mut draw = Draw::of_case(54, 2, number);
+        let mu_s = draw.between([0.0, 1.5]);
+        let steep = draw.between([-0.8, 0.8]);
+        let slope = draw.one_of(&[0.0, steep]);
+        let chi = draw.of_any_size([-2.0, 0.3]);
+        let parameters = HoopParameters::thin(draw.between([0.2, 3.0]))
+            .with_offset(draw.between([0.2, 1.0]))
+            .with_inertia(draw.between([0.2, 3.0]))
+            .with_friction(mu_s, mu_s * draw.share())
+            .with_rolling_resistance(chi)
+            .with_slope(slope);
+        let hoop = Hoop::new(parameters).expect("a valid hoop");
+        let opening = 1e-9;
+        let mut velocity = || {
+            let slow = opening * draw.between([-3.0, 3.0]);
+            let fast = draw.between([-1.0, 1.0]);
+            draw.one_of(&[0.0, slow, slow, fast])
+        };
+        let [rate, slip] = [velocity(), velocity()];
+        let state = State::from(Start::at(draw.between([-3.1, 3.1]), rate).with_slip(slip));
+        let law = draw.one_of(RestitutionLaw::ALL.as_slice());
+        let e = Restitution::new(draw.between([0.0, 0.95]), law).expect("a coefficient");
+        let Some(one_by_one) = OneByOne::follow(&hoop, &state, opening, e) else {
+            continue;
+        };
+        match hoop.settling(&state, opening, e) {
+            Ok(settling) => {
+                assert!(
+                    one_by_one.gap_rate < 1e-15 * opening,
+                    "{state:?} {hoop:?} {e:?}"
+                );
+                let Impact {
+                    after,
+                    impulse,
+                    normal_work,
+                    friction_work,
+                    resistance_work,
+                    ..
+                } = settling.impact;
+                let small = opening * (1.0 + one_by_one.duration / opening);
+                let speed = small + rate.abs() + slip.abs();
+                for (ours, theirs, size) in [
+                    (settling.duration, one_by_one.duration, small),
+                    (
+                        after.theta_rate,
+                        one_by_one.after[0],
+                        small + 1e-3 * rate.abs(),
+                    ),
+                    (after.slip, one_by_one.after[1], small + 1e-3 * slip.abs()),
+                    (impulse.normal, one_by_one.impulse[0], small),
+                    (impulse.friction, one_by_one.impulse[1], small),
+                    (normal_work, one_by_one.works[0], small * small),
+                    (friction_work, one_by_one.works[1], small * speed),
+                    (resistance_work, one_by_one.works[2], small * speed),
+                ] {
+                    assert!(
+                        (ours - theirs).abs() <= 1e-10 * size,
+                        "{ours:e} {theirs:e} {size:e}\n{settling:?}\n{state:?} {hoop:?} {e:?}"
+                    );
+                }
+                let kind = match (one_by_one.stops, rate == 0.0) {
+                    (true, _) => 0,
+                    (false, true) => 1,
+                    (false, false) => 2,
+                };
+                settled[kind] += 1;
+            }
+            Err(NoSettling::Grows { ratio }) => {
+                assert!(one_by_one.ratio > 1.0 - 1e-12, "{state:?} {hoop:?} {e:?}");
+                assert!((ratio - one_by_one.ratio).abs() < 1e-9 * ratio, "{ratio}");
+                grown += 1;
+            }
+            Err(error) => panic!("{error} {state:?} {hoop:?} {e:?}"),
+        }
+    }
+    assert!(
+        settled.iter().all(|count| *count > 300) && grown > 0,
+        "{settled:?} {grown}"
+    );
+}
+
 #[test]
 fn the_sum_of_bounces_is_the_same_in_all_units_of_velocity() {
     for case in 0..2_000 {

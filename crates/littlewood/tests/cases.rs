@@ -345,7 +345,90 @@ fn other_motions() -> Vec<Trajectory> {
             .expect("a valid start")
     })
     .chain(jams())
+    .chain(resisted())
     .collect()
+}
+
+/// Motions with rolling resistance, on the level and on slopes: m̂1, ℓ̂, Îzz, μs, μk, χ, α, θ,
+/// θ′ and η′.
+#[rustfmt::skip]
+const RESISTED: [[f64; 10]; 21] = [
+    [1.0, 0.6, 0.5, 0.4, 0.3, 0.1, 0.0, 1.21625, 0.0, 0.5],
+    [1.0, 0.6, 0.5, 0.4, 0.3, 0.1, 0.0, 2.0, 1.5, -0.5],
+    [1.0, 0.6, 0.5, 0.4, 0.3, 0.3, 0.0, 3.0, 0.0, 0.5],
+    [1.0, 0.6, 0.5, 0.05, 0.04, 0.02, 0.0, 1.0, 0.5, 0.0],
+    // To slide, and to skid, out of a turning point of rolling on a slope.
+    [0.3878, 0.2, 0.3761, 0.433, 0.4081, 0.1932, 1.1773, -2.1098, 0.0, 0.3355],
+    [0.00587, 0.8517, 0.00233, 0.3173, 0.3173, 0.4128, 0.41, -2.4, -0.53, 0.0],
+    [8.7e-4, 0.8357, 4.2e-4, 0.1417, 0.1125, 0.0952, 0.7564, -2.13, 0.0, 1.45],
+    [2.88, 0.478, 1.6, 0.0495, 0.0406, 0.019, -0.5248, -2.998, 0.0, -1.164],
+    [0.0346, 0.4249, 0.00125, 1.6177, 0.5067, 0.1038, 0.7685, 2.369, 0.0, 0.3994],
+    // Nothing is consistent where the slip of a light hoop begins, or ends.
+    [7.56e-4, 0.679, 5.96e-4, 0.765, 0.443, 0.2583, 0.0, 1.2327, 0.0, 0.0],
+    [1.453e-3, 1.0, 7.2e-4, 2.627, 1.3794, 0.4241, 0.0, -1.3367, 0.036, 0.0197],
+    // Massless.
+    [0.0, 0.615, 0.0, 1.137, 1.005, 0.348, 0.0, 2.703, -0.885, 0.068],
+    [0.0, 0.225, 0.0, 0.056, 0.037, 1.957, 0.0, -0.059, 0.704, -1.177],
+    [0.0, 0.967, 0.0, 0.357, 0.357, 0.0117, 0.0, -1.057, 0.173, -0.778],
+    [0.0, 0.765, 0.0, 2.693, 2.693, 0.0329, 0.0, 2.374, 1.02, -0.92],
+    [0.0, 0.711, 0.0, 0.263, 0.263, 0.333, 0.0, -2.605, 0.0, -0.72],
+    // To glide, and to skid, out of a turning point and of a skid on a slope.
+    [0.0, 0.1352, 0.0, 0.0743, 0.0406, 0.0624, -1.1446, 0.7542, 1.3612, 0.0],
+    [0.0, 0.4527, 0.0, 0.1407, 0.1407, 0.5783, -1.0111, 1.3611, 0.0, -0.6971],
+    [0.0, 1.0, 0.0, 1.4764, 1.4764, 1.5674, -0.8931, -2.0399, 0.0, -0.3582],
+    [0.0, 0.3773, 0.0, 0.2585, 0.037, 1.0376, 0.6062, 0.2336, -1.171, 0.0],
+    // The slip ends where pressing would close the gap.
+    [0.0, 1.0, 0.0, 2.0768, 0.7813, 2.3256, 0.0, 1.5247, 2.554, 0.1874],
+];
+
+/// With impacts, and the rate at which the gap opens and e.
+#[rustfmt::skip]
+const RESISTED_IMPACTS: [[f64; 12]; 6] = [
+    // Bounces settle into rest and into a skid, and a landing leads to each.
+    [0.873, 0.489, 0.32223, 0.418, 0.234, 0.736, 0.0, 1.998, 0.439, 0.53, 1.77, 0.3],
+    [0.898, 0.428, 0.86794, 0.14, 0.14, 0.814, 0.0, -2.201, -0.274, -0.46, 0.224, 0.4],
+    [1.01, 0.288, 0.6812, 1.34, 1.34, 0.366, 0.0, 2.977, 0.214, 0.184, 1.499, 0.0],
+    [0.898, 0.428, 0.86794, 0.14, 0.14, 0.814, 0.0, -2.201, -0.274, -0.46, 0.224, 0.0],
+    // Jams into rest and into a skid.
+    [0.0234, 0.9, 0.01023, 2.179, 2.179, 0.652, 0.0, -3.026, -1.37, 0.0, 0.0, 0.0],
+    [0.0634, 0.33, 0.01927, 1.443, 1.443, 3.13, 0.0, -1.799, -1.282, 0.0, 0.0, 0.0],
+];
+
+fn resisted() -> impl Iterator<Item = Trajectory> {
+    let setup = |[
+        mass_ratio,
+        offset,
+        inertia,
+        mu_s,
+        mu_k,
+        chi,
+        slope,
+        theta,
+        rate,
+        slip,
+    ]: [f64; 10]| {
+        let parameters = HoopParameters::thin(mass_ratio)
+            .with_offset(offset)
+            .with_inertia(inertia)
+            .with_friction(mu_s, mu_k)
+            .with_rolling_resistance(chi)
+            .with_slope(slope);
+        (parameters, Start::at(theta, rate).with_slip(slip))
+    };
+    let impacts = RESISTED_IMPACTS.map(|[in_contact @ .., gap_rate, e]| {
+        let (parameters, start) = setup(in_contact);
+        let parameters = parameters.with_restitution(e, RestitutionLaw::Energetic);
+        (parameters, start.with_gap_rate(gap_rate))
+    });
+    let contacts = RESISTED.map(setup);
+    contacts
+        .into_iter()
+        .chain(impacts)
+        .map(|(parameters, start)| {
+            let hoop = Hoop::new(parameters).expect("a valid hoop");
+            let limits = Limits::until(40.0);
+            hoop.simulate(start, limits).expect("a valid start")
+        })
 }
 
 /// Light hoops on rough planes, at P ≤ 0 from the start and later, with and without restitution.

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::common::newton::Sizes;
 use crate::common::{instants, none_differ};
 use littlewood::modes::PhaseSolution;
-use littlewood::theory::{Body, RollingLaw, SlidingLaw};
+use littlewood::theory::{Body, ContactForces, RollingLaw, SlidingLaw};
 use littlewood::{
     Cause, Hoop, Limits, Mode, OutcomeKind, Phase, Restitution, RestitutionLaw, Sample,
     SlipDirection, Start, State, Trajectory,
@@ -27,7 +27,9 @@ fn rounding(hoop: &Hoop, phase: &Phase, now: &Sample) -> State {
         PhaseSolution::Sliding(slide) => (1.0, slide.steps() as f64),
         // The particle, and what follows from it for the hoop.
         PhaseSolution::Gliding(_) => (1.0, 2.0),
-        PhaseSolution::Rolling(_) | PhaseSolution::Flight(_) => (0.0, 1.0),
+        PhaseSolution::ResistedRolling(rolling) => (0.0, rolling.steps() as f64),
+        PhaseSolution::Skidding(_) => (1.0, 1.0),
+        PhaseSolution::Rolling(_) | PhaseSolution::Flight(_) | PhaseSolution::Rest(_) => (0.0, 1.0),
     };
     let unit = steps * f64::EPSILON;
     let (h, mu) = (slips * hoop.h(), slips * hoop.mu_k());
@@ -216,7 +218,12 @@ fn goes_on(motion: &Trajectory, index: usize, stop: &Sample) -> Option<bool> {
     let (hoop, phase) = (motion.hoop(), &motion.phases()[index]);
     let state = stop.state;
     let again = follow(hoop, state)?;
+    let resists = hoop.rolling_resistance() > 0.0;
     if again.outcome().kind() == OutcomeKind::Ambiguous && again.phases().is_empty() {
+        if resists {
+            // A motion goes on holding what it held, where a start may also skid, or fly.
+            return None;
+        }
         let law = SlidingLaw::new(hoop, SlipDirection::Positive).expect("heavy");
         let w = law.contact(state.theta, state.theta_rate);
         let sizes = Sizes::of(hoop, &Start::from(state));
@@ -241,7 +248,12 @@ fn goes_on(motion: &Trajectory, index: usize, stop: &Sample) -> Option<bool> {
     };
     // On the limit of static friction, but for rounding, its change decides: whether the state is
     // there is what rounding tells.
-    let forces = RollingLaw::new(hoop).forces(state.theta, state.theta_rate);
+    let forces = if resists {
+        let (normal, friction) = (stop.normal, stop.friction);
+        ContactForces { normal, friction }
+    } else {
+        RollingLaw::new(hoop).forces(state.theta, state.theta_rate)
+    };
     let sizes = Sizes::of(hoop, &Start::from(state));
     let is_on_limit = phase.mode() == Mode::Rolling
         && (forces.normal <= sizes.normal
@@ -254,11 +266,11 @@ fn goes_on(motion: &Trajectory, index: usize, stop: &Sample) -> Option<bool> {
     (is_same || !is_open).then_some(is_same)
 }
 
-fn check_continuations(count: u64) {
+fn check_continuations(count: u64, draw_start: impl Fn(&mut Draw) -> (Hoop, Start)) {
     let (mut same, mut open, mut wrong) = (0, 0, Vec::new());
     for case in 0..count {
         let mut draw = Draw::of_case(42, 0, case);
-        let (hoop, start) = draw.in_contact();
+        let (hoop, start) = draw_start(&mut draw);
         if start.theta != 0.0 && start.theta.abs() < f64::MIN_POSITIVE {
             continue;
         }
@@ -299,11 +311,27 @@ fn check_continuations(count: u64) {
 
 #[test]
 fn a_motion_goes_on_from_its_own_states() {
-    check_continuations(2_000);
+    check_continuations(2_000, Draw::in_contact);
+}
+
+#[test]
+fn a_motion_with_rolling_resistance_goes_on_from_its_own_states() {
+    check_continuations(2_000, resisted_in_contact);
+}
+
+/// A hoop with rolling resistance, and a start.
+fn resisted_in_contact(draw: &mut Draw) -> (Hoop, Start) {
+    loop {
+        let (hoop, start) = draw.resisted_in_contact();
+        if hoop.rolling_resistance() > 0.0 {
+            return (hoop, start);
+        }
+    }
 }
 
 #[test]
 #[ignore = "thorough"]
 fn many_motions_go_on_from_their_own_states() {
-    check_continuations(40_000);
+    check_continuations(40_000, Draw::in_contact);
+    check_continuations(20_000, resisted_in_contact);
 }

@@ -301,7 +301,7 @@ fn a_start_on_the_slip_boundary_goes_where_the_orbit_goes() {
                             "θ = {theta}, θ′ = {rate}"
                         );
                     }
-                    Mode::Flight | Mode::Gliding => {
+                    Mode::Flight | Mode::Gliding | Mode::Rest | Mode::Skidding => {
                         panic!("θ = {theta}, θ′ = {rate}: {:?}", phase.mode())
                     }
                 }

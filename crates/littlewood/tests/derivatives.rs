@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use crate::common::{heavy_hoop, moderate_hoop, start};
 use littlewood::cases::find_case;
-use littlewood::derivatives::{Derivatives, EventDerivative, NoDerivative};
+use littlewood::derivatives::{Derivatives, EventDerivative, NoDerivative, differentiable};
 use littlewood::modes::{GrazingOrbit, Recurrence};
 use littlewood::tables::{Quantity, Setup, SummaryColumn, SummaryValue};
 use littlewood::theory::{Body, RollingLaw};
@@ -119,10 +119,7 @@ fn derivatives_are_those_of_differences_with_40_digits() {
 /// The derivatives with respect to all quantities of a motion, and the place of each in the lists.
 fn all(motion: &Trajectory) -> (Vec<Quantity>, Derivatives) {
     let bounces = motion.hoop().restitution().is_some();
-    let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
-    let quantities: Vec<Quantity> = quantities
-        .filter(|quantity| bounces || *quantity != Quantity::Restitution)
-        .collect();
+    let quantities: Vec<Quantity> = differentiable(bounces).collect();
     let derivatives = motion
         .derivatives(&quantities)
         .expect("quantities of the motion");

@@ -5,7 +5,15 @@ use littlewood::energy::{EnergyLedger, EnergyParts};
 use littlewood::{Hoop, Limits, Mode, RestitutionLaw, Trajectory};
 
 fn sum(energies: &EnergyParts) -> f64 {
-    energies.kinetic + energies.potential + energies.friction + energies.impacts
+    let EnergyParts {
+        kinetic,
+        potential,
+        friction,
+        rolling_resistance,
+        impacts,
+        ..
+    } = energies;
+    kinetic + potential + friction + rolling_resistance + impacts
 }
 
 fn at(motion: &Trajectory, time: f64) -> Option<EnergyParts> {

@@ -141,6 +141,21 @@ fn bodies_that_cannot_be_prepared_are_simulated() {
 }
 
 #[test]
+fn a_hoop_with_rolling_resistance_is_simulated() {
+    for case in 0..200 {
+        let (hoop, start) = Draw::of_case(31, 0, case).resisted_in_contact();
+        let engine = Engine::new(&hoop);
+        assert!(engine.is_exact() || hoop.rolling_resistance() == 0.0);
+        if engine.is_exact() {
+            let limits = Limits::until(20.0);
+            let ours = engine.summary(start, limits).expect("a valid start");
+            let theirs = hoop.simulate(start, limits).expect("a valid start");
+            assert_eq!(check(&ours, &theirs.summary(), 0.0), Ok(()));
+        }
+    }
+}
+
+#[test]
 fn many_starts_have_the_summaries_of_each() {
     let hoop = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
     for engine in engines(&hoop) {

@@ -16,6 +16,7 @@ use proptest::prelude::*;
 use serde_json::Value;
 
 const BOUNCES: &str = include_str!("../../../evidence/reference/bounces.json");
+const RESISTANCE: &str = include_str!("../../../evidence/reference/resistance.json");
 
 fn restitution(coefficient: f64, law: RestitutionLaw) -> Restitution {
     Restitution::new(coefficient, law).expect("a coefficient between 0 and 1")
@@ -116,6 +117,90 @@ fn impacts_of_all_sizes_are_those_followed_with_480_digits() {
     assert_eq!(seen, 400);
 }
 
+/// Landings and jams with rolling resistance, followed with 34 digits from Newton's and Euler's
+/// equations and the laws of the impulses by `evidence/reference/resistance`.
+#[test]
+fn impacts_with_rolling_resistance_are_those_of_34_digits() {
+    let data: Value = serde_json::from_str(RESISTANCE).expect("evidence/reference/resistance.json");
+    let number = |value: &Value| {
+        value
+            .as_f64()
+            .unwrap_or_else(|| value.as_str().expect("a number").parse().expect("a number"))
+    };
+    let mut seen = [0; 4];
+    for motion in data["motions"].as_array().expect("a list") {
+        let Some(e) = motion["restitution"].as_f64() else {
+            continue;
+        };
+        let of = |key: &str| number(&motion["hoop"][key]);
+        let hoop = HoopParameters::thin(of("mass_ratio"))
+            .with_offset(of("offset"))
+            .with_inertia(of("inertia"))
+            .with_friction(of("mu_s"), of("mu_k"))
+            .with_rolling_resistance(of("rolling_resistance"));
+        let hoop = Hoop::new(hoop).expect("a valid hoop");
+        let law = motion["law"]
+            .as_str()
+            .expect("a law")
+            .parse()
+            .expect("a law");
+        let mut lost_before = [0.0; 3];
+        for event in motion["transitions"].as_array().expect("a list") {
+            let lost =
+                ["resistance", "sliding", "restitution"].map(|it| number(&event["lost"][it]));
+            let before = core::mem::replace(&mut lost_before, lost);
+            // Slow bounces are counted there, and not listed.
+            let Some(after) = event.get("after").filter(|_| event["cause"] != "settle") else {
+                continue;
+            };
+            let [theta, theta_rate, slip, gap_rate] =
+                ["theta", "theta_rate", "slip", "gap_rate"].map(|it| number(&event[it]));
+            let state = State::from(Start::at(theta, theta_rate).with_slip(slip));
+            let found = if event["cause"] == "jam" {
+                let hoop = hoop.with_restitution(restitution(e, law)).expect("heavy");
+                hoop.jam(&state).expect("jams")
+            } else {
+                impact(&hoop, &state, gap_rate, e, law)
+            };
+            let size = 1.0 + theta_rate.abs() + found.impulse.normal;
+            let digits = 2e-13 * size * size;
+            for (name, ours) in [
+                ("theta_rate", found.after.theta_rate),
+                ("slip", found.after.slip),
+                ("gap_rate", found.after.gap_rate),
+            ] {
+                let theirs = number(&after[name]);
+                assert!(
+                    (ours - theirs).abs() <= digits,
+                    "{name}: {theirs}\n{found:?}\n{event}"
+                );
+                assert_eq!(
+                    ours == 0.0,
+                    theirs == 0.0,
+                    "{name}: {theirs}\n{found:?}\n{event}"
+                );
+            }
+            let losses = [
+                -found.resistance_work,
+                -found.friction_work,
+                -found.normal_work,
+            ];
+            for (at, ours) in losses.into_iter().enumerate() {
+                let theirs = lost[at] - before[at];
+                assert!(
+                    (ours - theirs).abs() <= digits,
+                    "{at}: {theirs}\n{found:?}\n{event}"
+                );
+            }
+            let segments = event["segments"].as_array().expect("a list").len();
+            let bends = hoop.impact_course(theta, &found).len() - 1;
+            assert_eq!(bends, segments, "{found:?}\n{event}");
+            seen[segments - 1] += 1;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 1), "{seen:?}");
+}
+
 #[test]
 fn a_jam_without_restitution_leaves_with_the_rate_of_the_reference() {
     // P = −0.1996 at the start: without a closing gap the slip is stopped all the same.
@@ -160,114 +245,227 @@ struct Velocities {
 }
 
 /// Newton's and Euler's equations in the impulse, in small steps: friction opposes the slip that
-/// there is, and where there is none it is what keeps it so, within the limit of static friction.
+/// there is, and the couple the rotation. Where there is none, each is what keeps it so, within its
+/// limit.
 struct Stepper {
     mass: f64,
     inertia: f64,
     arm: [f64; 2],
     mu: (f64, f64),
+    chi: f64,
+}
+
+/// Friction and couple of a unit of the normal impulse.
+#[derive(Clone, Copy, Debug)]
+struct Answer {
+    friction: f64,
+    couple: f64,
+    sticks: bool,
+    holds: bool,
+}
+
+/// What an impact has done with the gap closing, and opening.
+#[derive(Clone, Copy, Debug, Default)]
+struct Given {
+    impulse: f64,
+    work: f64,
 }
 
 impl Stepper {
+    fn new(hoop: &Hoop, theta: f64) -> Self {
+        let (inertia, h) = heavy(hoop);
+        let (sin, cos) = libm::sincos(theta);
+        Self {
+            mass: hoop.mass(),
+            inertia,
+            arm: [h * sin, -(1.0 + h * cos)],
+            mu: (hoop.mu_s(), hoop.mu_k()),
+            chi: hoop.rolling_resistance(),
+        }
+    }
+
+    fn start(&self, rate: f64, slip: f64, closing: f64) -> Velocities {
+        Velocities {
+            x: slip + self.arm[1] * rate,
+            y: -closing - self.arm[0] * rate,
+            spin: rate,
+        }
+    }
+
     fn contact(&self, v: &Velocities) -> (f64, f64) {
         (v.x - v.spin * self.arm[1], v.y + v.spin * self.arm[0])
     }
 
-    fn push(&self, v: &Velocities, friction: f64, normal: f64) -> Velocities {
+    fn push(&self, v: &Velocities, answer: &Answer, normal: f64) -> Velocities {
+        let (friction, couple) = (answer.friction * normal, answer.couple * normal);
+        let moment = self.arm[0] * normal - self.arm[1] * friction + couple;
         Velocities {
             x: v.x + friction / self.mass,
             y: v.y + normal / self.mass,
-            spin: v.spin + (self.arm[0] * normal - self.arm[1] * friction) / self.inertia,
+            spin: v.spin + moment / self.inertia,
         }
     }
 
-    /// dJ/dP for this slip velocity, and whether the contact sticks.
-    fn friction(&self, v: &Velocities) -> (f64, bool) {
-        let slip = self.contact(v).0;
-        if slip != 0.0 {
-            return (-self.mu.1 * slip.signum(), false);
-        }
-        // What keeps the contact at rest: the slip of a unit of P, and of a unit of J.
+    /// Spin and slip of a unit of the normal impulse with this friction and couple.
+    fn response(&self, friction: f64, couple: f64) -> (f64, f64) {
         let still = Velocities {
             x: 0.0,
             y: 0.0,
             spin: 0.0,
         };
-        let (of_normal, of_friction) = (
-            self.contact(&self.push(&still, 0.0, 1.0)).0,
-            self.contact(&self.push(&still, 1.0, 0.0)).0,
+        let answer = Answer {
+            friction,
+            couple,
+            sticks: false,
+            holds: false,
+        };
+        let pushed = self.push(&still, &answer, 1.0);
+        (pushed.spin, self.contact(&pushed).0)
+    }
+
+    /// Without slip, with this couple.
+    fn without_slip(&self, couple: f64) -> Answer {
+        let (free, by_friction) = (
+            self.response(0.0, couple).1,
+            self.response(1.0, 0.0).1 - self.response(0.0, 0.0).1,
         );
-        let needed = -of_normal / of_friction;
-        if needed.abs() <= self.mu.0 {
-            (needed, true)
-        } else {
-            (-self.mu.1 * of_normal.signum(), false)
+        let needed = -free / by_friction;
+        let sticks = needed.abs() <= self.mu.0;
+        Answer {
+            friction: if sticks {
+                needed
+            } else {
+                -self.mu.1 * free.signum()
+            },
+            couple,
+            sticks,
+            holds: false,
         }
     }
 
-    /// To the end of the impact: velocities, impulses, and the greatest magnitude of velocity on
-    /// the way.
-    fn run(&self, mut v: Velocities, e: f64, law: RestitutionLaw) -> (Velocities, [f64; 2]) {
-        let closing = -self.contact(&v).1;
-        let (mut normal, mut friction) = (0.0, 0.0);
-        let (mut taken, mut given, mut compression) = (0.0, 0.0, None);
-        let step = 2e-3 * closing * self.mass;
-        for _ in 0..4_000_000 {
-            let (rate, sticks) = self.friction(&v);
+    fn answer(&self, slip: f64, spin: f64) -> Answer {
+        let sign = |value: f64| {
+            if value == 0.0 { 0.0 } else { value.signum() }
+        };
+        let (friction, couple) = (-self.mu.1 * sign(slip), -self.chi * sign(spin));
+        if spin == 0.0 {
+            let free = self.response(friction, 0.0).0;
+            let needed = -free * self.inertia;
+            if needed.abs() <= self.chi {
+                return Answer {
+                    friction,
+                    couple: needed,
+                    sticks: slip == 0.0,
+                    holds: true,
+                };
+            }
+            let couple = -self.chi * free.signum();
+            return if slip == 0.0 {
+                self.without_slip(couple)
+            } else {
+                Answer {
+                    friction,
+                    couple,
+                    sticks: false,
+                    holds: false,
+                }
+            };
+        }
+        if slip == 0.0 {
+            return self.without_slip(couple);
+        }
+        Answer {
+            friction,
+            couple,
+            sticks: false,
+            holds: false,
+        }
+    }
+
+    /// To the end of the impact: velocities, impulses, and the works of the couple and of the
+    /// normal impulse.
+    fn run(&self, mut v: Velocities, e: f64, law: RestitutionLaw) -> (Velocities, [f64; 4]) {
+        let (slip, gap) = self.contact(&v);
+        let (closing, speed) = (-gap, slip.abs() + gap.abs() + v.spin.abs());
+        let (mut friction, mut resisted) = (0.0, 0.0);
+        let (mut taken, mut given, mut opens) = (Given::default(), Given::default(), false);
+        let step = 2e-3 * speed.max(closing) * self.mass.min(self.inertia);
+        for _ in 0..40_000_000 {
             let (slip, gap) = self.contact(&v);
-            let next = self.push(&v, rate * step, step);
+            let answer = self.answer(slip, v.spin);
+            let next = self.push(&v, &answer, step);
             let (slip_next, gap_next) = self.contact(&next);
-            let mut part = 1.0_f64;
-            if slip != 0.0 && slip * slip_next < 0.0 {
-                part = slip / (slip - slip_next);
-            }
-            if compression.is_none() && gap < 0.0 && gap_next > 0.0 {
-                part = part.min(gap / (gap - gap_next));
-            }
+            let until = |now: f64, next: f64| {
+                if now * next < 0.0 {
+                    now / (now - next)
+                } else {
+                    1.0
+                }
+            };
+            let slips = if answer.sticks {
+                1.0
+            } else {
+                until(slip, slip_next)
+            };
+            let turns = if answer.holds {
+                1.0
+            } else {
+                until(v.spin, next.spin)
+            };
             let slope = (gap_next - gap) / step;
+            let closes = if opens == (slope < 0.0) && gap != 0.0 {
+                until(gap, gap_next)
+            } else {
+                1.0
+            };
+            let mut part = slips.min(turns).min(closes);
             let mut last = false;
-            if let Some(compressed) = compression {
+            if opens {
                 let rest = match law {
-                    RestitutionLaw::Poisson => (1.0 + e) * compressed - normal,
+                    RestitutionLaw::Poisson => e * taken.impulse - given.impulse,
                     RestitutionLaw::Newton => (e * closing - gap) / slope,
                     RestitutionLaw::Energetic => {
-                        let left: f64 = e * e * taken - given;
-                        ((gap * gap + 2.0 * slope * left).max(0.0).sqrt() - gap) / slope
+                        let left: f64 = e * e * -taken.work - given.work;
+                        ((gap * gap + 2.0 * slope * left).sqrt() - gap) / slope
                     }
                 };
-                if rest <= part * step {
+                let newton_falls = law == RestitutionLaw::Newton && slope < 0.0;
+                if !newton_falls && rest <= part * step {
                     (part, last) = ((rest / step).max(0.0), true);
                 }
             }
-            let stops = part < 1.0
-                && !last
-                && slip != 0.0
-                && (slip - part * (slip - slip_next)).abs() < 1e-14;
             let p = part * step;
-            v = self.push(&v, rate * p, p);
-            normal += p;
-            friction += rate * p;
+            let spin = v.spin;
+            v = self.push(&v, &answer, p);
+            friction += answer.friction * p;
+            resisted += answer.couple * p * 0.5 * (spin + v.spin);
             let work = p * (gap + 0.5 * slope * p);
-            if compression.is_none() {
-                taken -= work;
-            } else {
-                given += work;
+            let phase = if opens { &mut given } else { &mut taken };
+            phase.impulse += p;
+            phase.work += work;
+            // What is zero here is so but for rounding.
+            if turns < 1.0 && turns <= part && !last || answer.holds {
+                let slip = self.contact(&v).0;
+                v.y += v.spin * self.arm[0];
+                v.spin = 0.0;
+                v.x = slip;
             }
-            if stops || sticks {
-                // The slip velocity is zero here, but for rounding.
+            if slips < 1.0 && slips <= part && !last || answer.sticks {
                 v.x -= self.contact(&v).0;
             }
-            // Of a slow impact of a hoop that turns fast the sum for the gap rate may not come any
-            // closer to zero.
-            let rounding = 4.0 * f64::EPSILON * (v.y.abs() + v.spin.abs());
-            if compression.is_none() && self.contact(&v).1 >= -rounding.max(1e-15 * closing) {
-                compression = Some(normal);
-                if e == 0.0 {
-                    return (v, [normal, friction]);
-                }
+            if closes <= part && part < 1.0 && !last {
+                v.y -= self.contact(&v).1;
+                opens = !opens;
             }
-            if last {
-                return (v, [normal, friction]);
+            if !opens && slope > 0.0 {
+                // Of a slow impact of a hoop that turns fast the sum for the gap rate may not come
+                // any closer to zero.
+                let rounding = 4.0 * f64::EPSILON * (v.y.abs() + v.spin.abs());
+                opens = self.contact(&v).1 >= -rounding.max(1e-15 * closing);
+            }
+            if last || opens && e == 0.0 {
+                let normal = taken.impulse + given.impulse;
+                return (v, [normal, friction, resisted, taken.work + given.work]);
             }
         }
         panic!("the impact does not end");
@@ -283,6 +481,10 @@ fn heavy(hoop: &Hoop) -> (f64, f64) {
 
 fn laws() -> impl Strategy<Value = RestitutionLaw> {
     prop::sample::select(RestitutionLaw::ALL.to_vec())
+}
+
+fn chi() -> impl Strategy<Value = f64> {
+    prop_oneof![1 => Just(0.0), 2 => 0.0..1.0_f64, 2 => 0.0..4.0_f64]
 }
 
 fn coefficients() -> impl Strategy<Value = f64> {
@@ -309,6 +511,11 @@ fn an_impact_is_the_same_in_all_units_of_velocity() {
     for case in 0..20_000 {
         let mut draw = Draw::of_case(51, 2, case);
         let (hoop, start) = draw.heavy_motion();
+        let hoop = if draw.comes(0.6) {
+            draw.resisted(&hoop)
+        } else {
+            hoop
+        };
         let mut velocity = |powers| {
             let size = draw.of_any_size(powers);
             if draw.comes(0.5) { -size } else { size }
@@ -322,12 +529,14 @@ fn an_impact_is_the_same_in_all_units_of_velocity() {
         let (e, law) = (draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
         let of_units = |unit: f64| {
             let start = Start::at(start.theta, rate * unit).with_slip(slip * unit);
-            impact(&hoop, &State::from(start), -closing * unit, e, law)
+            hoop.impact(&State::from(start), -closing * unit, restitution(e, law))
         };
-        let of_1 = of_units(1.0);
+        let Ok(of_1) = of_units(1.0) else {
+            continue;
+        };
         for exponent in [-980, -800, -600, -350, -301, 301, 500, 800] {
             let unit = libm::scalbn(1.0, exponent);
-            let found = of_units(unit);
+            let found = of_units(unit).expect("decided");
             assert_eq!(found.case, of_1.case);
             for (ours, theirs) in [
                 (found.after.theta_rate, of_1.after.theta_rate),
@@ -367,6 +576,11 @@ fn moderate(draw: &mut Draw) -> (HoopParameters, f64) {
         .with_offset(draw.between([0.2, 1.0]))
         .with_inertia(draw.between([0.2, 3.0]));
     (hoop, draw.between([-3.0, 3.0]))
+}
+
+/// The same hoop with rolling resistance.
+fn resisted(hoop: &Hoop, chi: f64) -> Hoop {
+    Hoop::new(hoop.parameters().with_rolling_resistance(chi)).expect("a valid hoop")
 }
 
 fn rough(hoop: HoopParameters, mu_s: f64, mu_k: f64) -> Hoop {
@@ -584,6 +798,167 @@ fn at_p_0_without_a_closing_gap_an_impact_is_undecided() {
     assert!(ties > 200, "{ties}");
 }
 
+/// With a resistance that is nothing the impact is that without, which is computed in another way.
+#[test]
+fn a_vanishing_resistance_changes_nothing() {
+    for number in 0..20_000 {
+        let mut draw = Draw::of_case(51, 8, number);
+        let (parameters, theta) = moderate(&mut draw);
+        let mu_s = draw.between([0.0, 2.0]);
+        let hoop = rough(parameters, mu_s, mu_s * draw.share());
+        let (rate, slip) = (draw.between([-2.0, 2.0]), draw.between([-2.0, 2.0]));
+        let state = State::from(Start::at(theta, rate).with_slip(slip));
+        let (e, law) = (draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let [without, with] =
+            [0.0, 1e-300].map(|chi| impact(&resisted(&hoop, chi), &state, -1.0, e, law));
+        assert_eq!(without.case, with.case);
+        let stops = |it: &Impact| hoop.impact_course(theta, it).len();
+        assert_eq!(stops(&without), stops(&with));
+        for (a, b) in numbers(&without).into_iter().zip(numbers(&with)) {
+            let size = 1.0 + without.impulse.normal;
+            assert!(
+                (a - b).abs() < 1e-13 * size * size,
+                "{a} {b}\n{without:?}\n{with:?}"
+            );
+        }
+    }
+}
+
+/// Where both sides of a tie differ: without slip at the limit of static friction, at D_χ = 0 and P
+/// = 0 without a closing gap, and where slip and rotation end together.
+#[test]
+fn ties_of_impacts_with_rolling_resistance_are_said() {
+    let mut seen = [0; 4];
+    for number in 0..20_000 {
+        let mut draw = Draw::of_case(51, 9, number);
+        let (parameters, theta) = moderate(&mut draw);
+        let free = rough(parameters, 0.0, 0.0);
+        let ((inertia, h), mass) = (heavy(&free), free.mass());
+        let (sin, cos) = libm::sincos(theta);
+        let (arm, lever) = (h * sin, 1.0 + h * cos);
+        let about = inertia + mass * lever * lever;
+        let e = restitution(draw.share(), draw.one_of(RestitutionLaw::ALL.as_slice()));
+        let of = |mu: [f64; 2], chi: f64, [rate, slip, closing]: [f64; 3]| {
+            let hoop = resisted(&rough(parameters, mu[0], mu[1]), chi);
+            let state = State::from(Start::at(theta, rate).with_slip(slip));
+            hoop.impact(&state, -closing, e)
+        };
+        let undecided = Err(ImpactError::Undecided { theta });
+        let (chi, sign) = (draw.between([0.0, 0.3]), draw.one_of(&[-1.0, 1.0]));
+        let needed = mass * lever * (arm - sign * chi) / about;
+        let mu = needed.abs();
+        if mu > 0.02 {
+            let tie = |part: f64| of([mu * part, 0.5 * mu], chi, [sign, 0.0, 1.0]);
+            assert_eq!(tie(1.0), undecided);
+            let (slips, sticks) = (tie(1.0 - 1e-12).expect("slips"), tie(1.0 + 1e-12));
+            assert!(slips.after.slip.abs() > 1e-6 && sticks.expect("sticks").after.slip == 0.0);
+            seen[0] += 1;
+        }
+        let dead = arm.abs() + about / (mass * arm.abs());
+        if dead < 100.0 {
+            let tie = |part: f64| of([9e8; 2], dead * part, [arm.signum(), 0.0, 0.0]);
+            assert_eq!(tie(1.0), undecided);
+            assert_eq!(tie(1.0 - 1e-12).expect("none").case, ImpactCase::None);
+            let stops = tie(1.0 + 1e-12).expect("jams");
+            assert_eq!(
+                (stops.case, stops.after.theta_rate),
+                (ImpactCase::Jams, 0.0)
+            );
+            seen[1] += 1;
+        }
+        let mu = 0.1;
+        let painleve = arm.abs() - mu * lever + inertia / (mass * arm.abs());
+        if painleve > 0.0 && painleve < 100.0 {
+            let turn = arm.signum();
+            let tie = |part: f64| of([mu; 2], painleve * part, [turn, turn, 0.0]);
+            assert_eq!(tie(1.0), undecided);
+            assert_eq!(tie(1.0 - 1e-12).expect("none").case, ImpactCase::None);
+            assert_eq!(tie(1.0 + 1e-12).expect("jams").case, ImpactCase::Jams);
+            seen[2] += 1;
+        }
+        // At rest it would roll, by static friction, or slip, by the kinetic one.
+        let chi = 0.3 * arm.abs();
+        let mu = mass * lever * arm.abs() / about;
+        let (spin, mu_k) = ((1.3 * arm.abs() + 0.2 * mu * lever) / inertia, 0.2 * mu);
+        let slip = (mu_k / mass + lever * spin) / spin;
+        if mu > 0.02 {
+            let way = -arm.signum();
+            let tie = |part: f64| of([mu, mu_k], chi, [way, way * slip * part, 100.0]);
+            assert_eq!(tie(1.0), undecided);
+            let (rolls, slips) = (tie(1.0 - 1e-9), tie(1.0 + 1e-9));
+            let [rolls, slips] = [rolls, slips].map(|it| it.expect("decided").after.slip);
+            assert!(
+                (rolls - slips).abs() > 1e-6 && rolls * slips == 0.0,
+                "{rolls} {slips}"
+            );
+            seen[3] += 1;
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 1000), "{seen:?}");
+}
+
+/// A light hoop that begins to stick while it springs back, where pressing closes the gap: with
+/// little restitution the impact ends before, with more the hoop stops dead.
+#[test]
+fn an_impact_whose_gap_closes_again_is_that_of_small_steps() {
+    let mut seen = [0; 3];
+    for number in 0..120_000 {
+        let mut draw = Draw::of_case(51, 10, number);
+        let light = HoopParameters::thin(draw.between([0.02, 0.2]));
+        let chi = draw.between([1.0, 5.0]);
+        let hoop = resisted(&rough(light, 9.0, draw.between([0.3, 2.0])), chi);
+        let theta = draw.between([2.0, 3.1]);
+        let (rate, slip) = (draw.between([0.5, 2.0]), -draw.of_any_size([-2.0, 1.0]));
+        let law = draw.one_of(RestitutionLaw::ALL.as_slice());
+        let state = State::from(Start::at(theta, rate).with_slip(slip));
+        let of = |e: f64| hoop.impact(&state, -1.0, restitution(e, law));
+        let (Ok(low), Ok(high)) = (of(0.01), of(1.0)) else {
+            continue;
+        };
+        let stops = |it: &Impact| it.after.theta_rate == 0.0;
+        if stops(&low) || !stops(&high) {
+            continue;
+        }
+        let stepper = Stepper::new(&hoop, theta);
+        for e in [0.01, 1.0, draw.share()] {
+            let ours = of(e).expect("decided");
+            let (stepped, [normal, ..]) = stepper.run(stepper.start(rate, slip, 1.0), e, law);
+            let size = 1.0 + slip.abs() + ours.impulse.normal / stepper.inertia;
+            let (a, b) = (
+                numbers(&ours),
+                [stepped.spin, stepper.contact(&stepped).1, normal],
+            );
+            for (a, b) in [a[0], a[2], a[3]].into_iter().zip(b) {
+                assert!(
+                    (a - b).abs() < 1e-9 * size * size,
+                    "{a} {b} {law} {e}\n{ours:?}"
+                );
+            }
+        }
+        // The coefficient between both: neighbours differ.
+        let (mut low, mut high, mut is_said) = (0.01, 1.0, false);
+        while !is_said && f64::next_up(low) < high {
+            let middle = 0.5 * (low + high);
+            match of(middle) {
+                Ok(found) if stops(&found) => high = middle,
+                Ok(_) => low = middle,
+                Err(_) => is_said = true,
+            }
+        }
+        if !is_said {
+            // The rotation ends just with the impact.
+            let [low, high] = [low, high].map(|e| of(e).expect("decided"));
+            assert!(
+                (low.impulse.normal - high.impulse.normal).abs() < 1e-12,
+                "{low:?}\n{high:?}"
+            );
+            continue;
+        }
+        seen[usize::from(law.code())] += 1;
+    }
+    assert!(seen.iter().all(|count| *count > 3), "{seen:?}");
+}
+
 /// Asserts the laws of contact, of friction and of restitution of an impact.
 fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
     let (slip, closing) = (found.before.slip, -found.before.gap_rate);
@@ -602,17 +977,29 @@ fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
     let least = f64::from_bits(1);
     let most = hoop.mu_s() * (impulse.normal * (1.0 + 8.0 * f64::EPSILON) + least) + least;
     assert!(impulse.friction.abs() <= most, "{what}");
-    assert!(found.friction_work <= 0.0, "{what}");
+    assert!(
+        found.friction_work <= 0.0 && found.resistance_work <= 0.0,
+        "{what}"
+    );
+    let turns = before.theta_rate * after.theta_rate > 0.0;
+    let is_resisted = hoop.rolling_resistance() > 0.0 && !turns;
     match found.case {
         ImpactCase::None => {
             assert!(closing == 0.0 && before == after, "{what}");
         }
         ImpactCase::Slides => {
             assert!(after.slip * slip.signum() >= 0.0, "{what}");
-            assert!((after.gap_rate - e * closing).abs() <= least, "{what}");
+            assert!(
+                is_resisted || (after.gap_rate - e * closing).abs() <= least,
+                "{what}"
+            );
         }
-        ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution | ImpactCase::Jams => {
+        ImpactCase::SticksInCompression | ImpactCase::SticksInRestitution => {
             assert!(after.slip == 0.0, "{what}");
+        }
+        ImpactCase::Jams => {
+            let resists = hoop.rolling_resistance() > 0.0;
+            assert!(resists || after.slip == 0.0, "{what}");
         }
         ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
             assert!(after.slip * slip.signum() <= 0.0 || slip == 0.0, "{what}");
@@ -622,7 +1009,7 @@ fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
         assert!((after.gap_rate - e * closing).abs() <= least, "{what}");
     }
     // Without a kink all laws are the same.
-    if law != RestitutionLaw::Newton || found.case == ImpactCase::Slides {
+    if law != RestitutionLaw::Newton || found.case == ImpactCase::Slides && !is_resisted {
         assert!(!found.gains_energy(), "{what}");
     }
 }
@@ -630,10 +1017,15 @@ fn check_laws(hoop: &Hoop, found: &Impact, e: f64, law: RestitutionLaw) {
 /// Hoops of the whole range and velocities from the least number to the largest of a start.
 #[test]
 fn impacts_of_all_sizes_keep_their_laws() {
-    let mut cases = [0_usize; ImpactCase::ALL.len()];
+    let (mut cases, mut segments) = ([0_usize; ImpactCase::ALL.len()], [0_usize; 9]);
     for number in 0..200_000 {
         let mut draw = Draw::of_case(51, 6, number);
         let (hoop, start) = draw.heavy_motion();
+        let hoop = if draw.comes(0.6) {
+            draw.resisted(&hoop)
+        } else {
+            hoop
+        };
         let mut velocity = || {
             let size = draw.of_any_size([-323.3, 6.0]).clamp(5e-324, 1e6);
             if draw.comes(0.5) { -size } else { size }
@@ -659,8 +1051,14 @@ fn impacts_of_all_sizes_keep_their_laws() {
         };
         cases[usize::from(found.case.code())] += 1;
         check_laws(&hoop, &found, e, law);
+        segments[hoop.impact_course(start.theta, &found).len() - 2] += 1;
     }
     assert!(cases.iter().all(|count| *count > 100), "{cases:?}");
+    // An impact has at most four segments.
+    assert!(
+        segments[..4].iter().all(|count| *count > 10) && segments[4] == 0,
+        "{segments:?}"
+    );
 }
 
 proptest! {
@@ -670,24 +1068,19 @@ proptest! {
     fn stepping_in_the_impulse_finds_the_same_impact(
         (m1, offset, inertia) in (0.1..4.0_f64, 0.05..1.0_f64, 0.05..3.0_f64),
         (mu_s, part) in (0.0..1.5_f64, 0.0..=1.0_f64),
-        theta in -3.2..3.2_f64, rate in -3.0..3.0_f64,
+        chi in chi(),
+        theta in -3.2..3.2_f64, rate in prop_oneof![3 => -3.0..3.0_f64, 1 => Just(0.0)],
         slip in prop_oneof![3 => -2.0..2.0_f64, 1 => Just(0.0)],
         closing in 0.05..3.0_f64, e in coefficients(), law in laws(),
     ) {
         let hoop =
-            Hoop::new(HoopParameters::thin(m1).with_offset(offset).with_inertia(inertia).with_friction(mu_s, part * mu_s)).expect("heavy");
-        let (about_centre, h) = heavy(&hoop);
-        let (sin, cos) = libm::sincos(theta);
-        let stepper = Stepper {
-            mass: hoop.mass(),
-            inertia: about_centre,
-            arm: [h * sin, -(1.0 + h * cos)],
-            mu: (mu_s, part * mu_s),
-        };
-        let start = Velocities { x: slip - (1.0 + h * cos) * rate, y: -closing - h * sin * rate, spin: rate };
+            Hoop::new(HoopParameters::thin(m1).with_offset(offset).with_inertia(inertia).with_friction(mu_s, part * mu_s).with_rolling_resistance(chi)).expect("heavy");
+        let (about_centre, _) = heavy(&hoop);
+        let stepper = Stepper::new(&hoop, theta);
+        let start = stepper.start(rate, slip, closing);
         let state = State::from(Start::at(theta, rate).with_slip(slip));
         let ours = impact(&hoop, &state, -closing, e, law);
-        let (stepped, [normal, friction]) = stepper.run(start, e, law);
+        let (stepped, [normal, friction, resisted, worked]) = stepper.run(start, e, law);
         let (slip_after, gap_after) = stepper.contact(&stepped);
         let size = 1.0 + rate.abs() + slip.abs() + closing + ours.impulse.normal * (1.0 + 1.0 / about_centre);
         for (name, a, b) in [
@@ -696,18 +1089,22 @@ proptest! {
             ("gap rate", ours.after.gap_rate, gap_after),
             ("P", ours.impulse.normal, normal),
             ("J", ours.impulse.friction, friction),
+            ("∫ θ′ dM", ours.resistance_work, resisted),
+            ("∫ w dP", ours.normal_work, worked),
         ] {
-            prop_assert!((a - b).abs() < 1e-9 * size, "{name}: {a} {b}\n{ours:?}");
+            prop_assert!((a - b).abs() < 1e-9 * size * size, "{name}: {a} {b}\n{ours:?}");
         }
     }
 
     #[test]
     fn momentum_and_energy_are_balanced_and_friction_keeps_its_limits(
-        hoop in heavy_hoop(), theta in -7.0..7.0_f64, rate in -4.0..4.0_f64,
+        hoop in heavy_hoop(), chi in chi(), theta in -7.0..7.0_f64,
+        rate in prop_oneof![4 => -4.0..4.0_f64, 1 => Just(0.0)],
         slip in prop_oneof![3 => -2.0..2.0_f64, 1 => Just(0.0), 1 => -1e-9..1e-9_f64],
         closing in prop_oneof![4 => 0.0..3.0_f64, 1 => Just(0.0), 1 => 0.0..1e-9_f64],
         e in coefficients(), law in laws(),
     ) {
+        let hoop = resisted(&hoop, chi);
         let state = State::from(Start::at(theta, rate).with_slip(slip));
         let found = impact(&hoop, &state, -closing, e, law);
         let before = kinetic(&hoop, theta, &found.before);
@@ -716,6 +1113,7 @@ proptest! {
         let scale = 1.0 + before + after + (h + 1.0) * found.impulse.normal * found.impulse.normal / inertia;
         prop_assert!((before - after - found.energy_lost()).abs() < 1e-12 * scale, "{found:?}");
         prop_assert!(found.friction_work <= 1e-15 * scale, "{found:?}");
+        prop_assert!(found.resistance_work <= 0.0, "{found:?}");
         prop_assert!(found.impulse.normal >= 0.0 && found.after.gap_rate >= -1e-12 * scale, "{found:?}");
         prop_assert!(found.impulse.friction.abs() <= hoop.mu_s() * found.impulse.normal * (1.0 + 1e-14));
         if law != RestitutionLaw::Newton {
@@ -731,9 +1129,10 @@ proptest! {
 
     #[test]
     fn the_mirror_image_of_an_impact_is_that_of_the_mirror_image(
-        hoop in heavy_hoop(), theta in -7.0..7.0_f64, rate in -4.0..4.0_f64, slip in -2.0..2.0_f64,
+        hoop in heavy_hoop(), chi in chi(), theta in -7.0..7.0_f64, rate in -4.0..4.0_f64, slip in -2.0..2.0_f64,
         closing in 0.0..3.0_f64, e in coefficients(), law in laws(),
     ) {
+        let hoop = resisted(&hoop, chi);
         let ours = impact(&hoop, &State::from(Start::at(theta, rate).with_slip(slip)), -closing, e, law);
         let theirs = impact(&hoop, &State::from(Start::at(-theta, -rate).with_slip(-slip)), -closing, e, law);
         prop_assert_eq!(ours.case, theirs.case);

@@ -172,6 +172,28 @@ pub(crate) fn check_phase(
             PhaseSolution::Flight(_) => {
                 prop_assert_eq!(now.state.theta_rate, first.state.theta_rate);
             }
+            PhaseSolution::ResistedRolling(rolling) => {
+                prop_assert!(now.energy <= before.energy + LAW_ROUNDING * size);
+                prop_assert_eq!(now.state.slip, 0.0);
+                prop_assert!(rolling.direction().sign() * now.state.theta_rate >= 0.0);
+                let margin = hoop.mu_s() * now.normal - now.friction.abs();
+                prop_assert!(margin >= -LAW_ROUNDING * size, "{margin} at {elapsed}");
+            }
+            PhaseSolution::Skidding(skid) => {
+                prop_assert_eq!(now.state.theta, first.state.theta);
+                prop_assert_eq!(now.state.theta_rate, 0.0);
+                prop_assert!(skid.direction().sign() * now.state.slip >= 0.0);
+            }
+            PhaseSolution::Rest(_) => {
+                let time = now.state.time;
+                prop_assert_eq!(
+                    now.state,
+                    State {
+                        time,
+                        ..first.state
+                    }
+                );
+            }
         }
         before = now;
     }
@@ -189,7 +211,7 @@ struct Margin {
 fn margins(hoop: &Hoop, sample: &Sample, direction: Option<SlipDirection>) -> Vec<Margin> {
     let rounding = LAW_ROUNDING * size(hoop, sample);
     match sample.mode {
-        Mode::Rolling => {
+        Mode::Rolling | Mode::Rest => {
             let sizes = Sizes::of_motion(hoop, sample.state);
             vec![
                 Margin {
@@ -213,7 +235,7 @@ fn margins(hoop: &Hoop, sample: &Sample, direction: Option<SlipDirection>) -> Ve
             rounding: 1e-13 * size(hoop, sample)
                 + 4.0 * f64::EPSILON * (sample.state.time * sample.slip_acceleration).abs(),
         }],
-        Mode::Gliding => vec![Margin {
+        Mode::Gliding | Mode::Skidding => vec![Margin {
             name: "slip",
             value: sign(direction) * sample.state.slip,
             rounding,

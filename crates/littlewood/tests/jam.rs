@@ -9,6 +9,7 @@ use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw,
     Start, Trajectory,
 };
+use littlewood_random::Draw;
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -171,6 +172,52 @@ fn the_slide_goes_on_by_a_jam() {
             jam.after.theta_rate
         );
     }
+}
+
+/// Where D_χ < 0 a hoop that sticks stops dead: P = m |h sin θ θ′|, J = m (1 + h cos θ) θ′, and the
+/// energy of the rotation is lost (eq. dead-stop).
+#[test]
+fn a_hoop_that_sticks_stops_dead() {
+    let mut seen = 0;
+    for number in 0..4_000 {
+        let mut draw = Draw::of_case(54, 1, number);
+        let mass = draw.between([0.01, 0.3]);
+        let parameters = HoopParameters::thin(mass)
+            .with_friction(9.0, draw.between([0.0, 9.0]))
+            .with_rolling_resistance(draw.between([1.0, 5.0]));
+        let law = draw.one_of(RestitutionLaw::ALL.as_slice());
+        let hoop = Hoop::new(parameters.with_restitution(0.0, law)).expect("a valid hoop");
+        let Body::Heavy(body) = hoop.body() else {
+            panic!("heavy")
+        };
+        let (theta, rate) = (draw.between([2.0, 3.1]), draw.between([0.1, 2.0]));
+        let (sin, cos) = libm::sincos(theta);
+        let (arm, lever) = (body.h * sin, 1.0 + body.h * cos);
+        let about = body.inertia + body.mass * lever * lever;
+        let (chi, sign) = (hoop.rolling_resistance(), draw.one_of(&[-1.0, 1.0]));
+        let sticks = body.mass * lever * (chi - arm) <= 8.9 * about;
+        let jam = hoop.jam(
+            &Start::at(sign * theta, sign * rate)
+                .check()
+                .expect("a start"),
+        );
+        if about + body.mass * arm * (arm - chi) > -1e-3 || !sticks {
+            continue;
+        }
+        let jam = jam.expect("jams");
+        assert_eq!((jam.case, jam.after.theta_rate), (ImpactCase::Jams, 0.0));
+        assert_eq!((jam.after.slip, jam.after.gap_rate), (0.0, 0.0));
+        let lost = 0.5 * (about + body.mass * arm * arm) * rate * rate;
+        for (ours, theirs) in [
+            (jam.impulse.normal, body.mass * arm * rate),
+            (jam.impulse.friction, sign * body.mass * lever * rate),
+            (jam.energy_lost(), lost),
+        ] {
+            assert!((ours - theirs).abs() < 1e-13, "{ours} {theirs} {jam:?}");
+        }
+        seen += 1;
+    }
+    assert!(seen > 500, "{seen}");
 }
 
 /// The command of the notes: next to P = 0 the slip has already ended, closer than doubles resolve.

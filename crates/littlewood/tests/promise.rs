@@ -26,7 +26,9 @@ enum Promise {
 const fn promise(column: SummaryColumn) -> Promise {
     use SummaryColumn as C;
     match column {
-        C::Outcome | C::Sequence | C::Transitions | C::Painleve | C::Landings => Promise::Same,
+        C::Outcome | C::Sequence | C::Transitions | C::Painleve | C::Landings | C::HalfSwings => {
+            Promise::Same
+        }
         C::EndTheta | C::EndX | C::Energy | C::JumpLength | C::JumpHeight | C::ImpactEnergyLost => {
             Promise::Rounding
         }

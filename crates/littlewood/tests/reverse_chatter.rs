@@ -4,7 +4,8 @@ use crate::common::heavy_hoop;
 use littlewood::impact::NoSettling;
 use littlewood::theory::{PhasePlane, StartRegion, Window};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Restitution, RestitutionLaw, Start, State,
+    Cause, Hoop, HoopParameters, Limits, Mode, Restitution, RestitutionLaw, RotationDirection,
+    Start, State,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -43,11 +44,39 @@ fn growing() -> impl Strategy<Value = (Hoop, f64, f64)> {
     (bouncing(), 0.0..=1.0_f64, any::<bool>()).prop_filter_map(
         "reverse chatter",
         |((hoop, theta), part, back)| {
-            let [low, high] = PhasePlane::new(&hoop).reverse_chatter_rates(theta)?;
+            let [low, high] =
+                PhasePlane::new(&hoop).reverse_chatter_rates(theta, RotationDirection::Positive)?;
             let rate = low + (0.01 + 0.98 * part) * (high - low);
             Some((hoop, theta, if back { -rate } else { rate }))
         },
     )
+}
+
+/// The same with rolling resistance.
+fn resisted() -> impl Strategy<Value = (Hoop, f64)> {
+    (bouncing(), -3.0..0.5_f64).prop_filter_map("a valid hoop", |((hoop, theta), power)| {
+        let chi = libm::exp10(power);
+        let parameters = hoop.parameters().with_rolling_resistance(chi);
+        Some((Hoop::new(parameters).ok()?, theta))
+    })
+}
+
+/// The last ratio of bounces that are followed one by one, in units of the gap rate of each.
+fn followed_ratio(hoop: &Hoop, theta: f64, rate: f64) -> Option<f64> {
+    let [drift, weight, ..] = coefficients(hoop, theta, rate);
+    let (mut state, mut ratio) = (State::from(Start::at(theta, 0.0)), 1.0);
+    for _ in 0..5_000 {
+        if rate != 0.0 {
+            // No bounce ends the rotation.
+            state.theta_rate = 1e100_f64.copysign(rate);
+        }
+        state.slip += 2.0 * drift / weight;
+        let found = hoop.impact(&state, -1.0, restitution(hoop)).ok()?;
+        ratio = found.after.gap_rate;
+        state.slip = found.after.slip / ratio;
+        state.theta_rate = found.after.theta_rate / ratio;
+    }
+    Some(ratio)
 }
 
 fn restitution(hoop: &Hoop) -> Restitution {
@@ -219,7 +248,7 @@ fn the_curves_are_where_the_ratio_is_1() {
         .concat()
     {
         let [low, high] = plane
-            .reverse_chatter_rates(theta)
+            .reverse_chatter_rates(theta, RotationDirection::Positive)
             .expect("a point of a curve");
         let edge = rate.abs();
         assert!(edge == low || edge == high);
@@ -246,7 +275,7 @@ proptest! {
         let hoop = hoop.with_restitution(Restitution::new(e, law).expect("e")).expect("heavy");
         let plane = PhasePlane::new(&hoop);
         prop_assert_eq!(plane.reverse_chatter(theta, rate), None);
-        prop_assert_eq!(plane.reverse_chatter_rates(theta), None);
+        prop_assert_eq!(plane.reverse_chatter_rates(theta, RotationDirection::Positive), None);
     }
 
     /// The ratio is the closed form; contact holds, at a friction force inside the cone of μk.
@@ -281,7 +310,7 @@ proptest! {
     #[test]
     fn bounces_grow_between_two_rates((hoop, theta) in bouncing(), rate in 0.0..3.0_f64) {
         let plane = PhasePlane::new(&hoop);
-        let range = plane.reverse_chatter_rates(theta);
+        let range = plane.reverse_chatter_rates(theta, RotationDirection::Positive);
         prop_assume!(range.is_none_or(|ends| ends.iter().all(|end| (rate - end).abs() > 1e-9)));
         let inside = range.is_some_and(|[low, high]| low < rate && rate < high);
         prop_assert_eq!(plane.reverse_chatter(theta, rate).is_some(), inside, "{:?}", range);
@@ -330,6 +359,31 @@ proptest! {
                 prop_assert!((ours - ratio).abs() < rounding * ratio, "{ours} {ratio} {rounding:e}");
             }
             Err(error) => prop_assert!(restitution(&hoop).coefficient() > 0.98, "{}", error),
+        }
+    }
+
+    /// With rolling resistance, out of rolling and out of rest.
+    #[test]
+    fn with_rolling_resistance_bounces_grow_as_one_by_one(
+        (hoop, theta) in resisted(), rate in prop_oneof![2 => -2.0..2.0_f64, 1 => Just(0.0)],
+    ) {
+        let plane = PhasePlane::new(&hoop);
+        let found = plane.reverse_chatter(theta, rate);
+        let [_, weight, ..] = coefficients(&hoop, theta, rate);
+        prop_assume!(weight > 1e-3);
+        let Some(followed) = followed_ratio(&hoop, theta, rate) else {
+            return Ok(());
+        };
+        prop_assume!((followed - 1.0).abs() > 1e-6);
+        match found {
+            Some(ratio) => prop_assert!((ratio - followed).abs() < 1e-9 * ratio, "{ratio} {followed}"),
+            None => prop_assert!(followed.is_nan() || followed <= 1.0 || followed > 1e9, "{followed}"),
+        }
+        if let Some(rotation) = RotationDirection::of_sign(rate) {
+            let range = plane.reverse_chatter_rates(theta, rotation);
+            prop_assume!(range.is_none_or(|ends| ends.iter().all(|end| (rate.abs() - end).abs() > 1e-6)));
+            let inside = range.is_some_and(|[low, high]| low < rate.abs() && rate.abs() < high);
+            prop_assert_eq!(found.is_some(), inside, "{:?} {:?} {}", range, found, followed);
         }
     }
 }

@@ -11,7 +11,7 @@ from .._internal.terminal import forgive
 from ..plot import canvas
 from ..tables import QUANTITIES
 from . import Case, CaseError, NoCertificate, Proof, Refused, checker, picture
-from .case import HOOP, HOOP_SI, LAWS, START
+from .case import HOOP, HOOP_SI, LAWS, ROLLING_RESISTANCE, START
 
 EXAMPLE = (
     "python -m littlewood.certify --mass-ratio 1 --offset 1 --inertia 1 --mu-s 0.5 --mu-k 0.4"
@@ -48,6 +48,14 @@ def parser() -> argparse.ArgumentParser:
         "--most-bits", metavar="BITS", type=int, default=1000, help="precision at which to give up"
     )
     found.add_argument("--until", metavar="TIME", type=float, help="stop at this time")
+    for name in ROLLING_RESISTANCE.values():
+        found.add_argument(
+            "--" + name.replace("_", "-"),
+            metavar="X",
+            type=float,
+            default=0.0,
+            help=QUANTITIES[name].help,
+        )
     found.add_argument(
         "--slope", metavar="RAD", type=float, default=0.0, help=QUANTITIES["slope"].help
     )
@@ -76,18 +84,20 @@ def case_of(given: argparse.Namespace) -> Case:
             raise CaseError(f"{given.case} has no case")
         return Case.read(found.get("case", found))
     si = given.disc_mass_kg is not None
+    units = "si" if si else "dimensionless"
     names = HOOP_SI if si else HOOP
     hoop: dict[str, Any] = {name: getattr(given, name) for name in names}
     missing = ["--" + name.replace("_", "-") for name, value in hoop.items() if value is None]
     if missing:
         raise CaseError(f"a hoop needs {', '.join(missing)}")
-    hoop["slope"] = given.slope
+    for name in (ROLLING_RESISTANCE[units], "slope"):
+        hoop[name] = getattr(given, name)
     if given.restitution is not None:
         hoop |= {"restitution": given.restitution, "restitution_law": given.restitution_law}
     start = {name: getattr(given, name) for name in START}
     return Case.read(
         {
-            "units": "si" if si else "dimensionless",
+            "units": units,
             "hoop": hoop,
             "start": start,
             "until": given.until,

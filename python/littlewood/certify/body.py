@@ -40,6 +40,8 @@ class Body:
         self.h = ball(hoop.offset / (1 + hoop.mass_ratio))
         self.inertia = ball(hoop.inertia + hoop.mass_ratio * hoop.offset**2 / (1 + hoop.mass_ratio))
         self.mu_s, self.mu_k = ball(hoop.mu_s), ball(hoop.mu_k)
+        self.chi = ball(hoop.rolling_resistance)
+        self.resists = hoop.rolling_resistance != 0
         self.is_massless = hoop.inertia == 0 and hoop.mass_ratio == 0
         self.is_level = case.slope == 0
         # Gravity towards the plane and, where it rises to the right, back along it.
@@ -53,31 +55,44 @@ class Body:
         """Return D."""
         return cos * (2 * self.offset) + self.constant
 
-    def solvability(self, sin: Value, cos: Value, sigma: int) -> Value:
-        """Return P."""
-        return sin * self.q(sin, cos, sigma) * (self.mass * self.h) + self.inertia
+    def resisted_denominator(self, sin: Value, cos: Value, rotation: int) -> Value:
+        """Return D_χ."""
+        return self.denominator(cos) - sin * (self.offset * self.chi * rotation)
 
-    def q(self, sin: Value, cos: Value, sigma: int) -> Value:
+    def solvability(self, sin: Value, cos: Value, sigma: int, rotation: int = 0) -> Value:
+        """Return P."""
+        return sin * self.q(sin, cos, sigma, rotation) * (self.mass * self.h) + self.inertia
+
+    def q(self, sin: Value, cos: Value, sigma: int, rotation: int = 0) -> Value:
         """Return q."""
-        return sin * self.h - (cos * self.h + 1) * (self.mu_k * sigma)
+        arm = sin * self.h - (cos * self.h + 1) * (self.mu_k * sigma)
+        return arm - self.chi * rotation if rotation else arm
 
     def contact(self, theta: Ball, rate: Ball) -> Ball:
         """Return w."""
         return self.down - self.h * theta.cos() * rate * rate
 
-    def rolling_forces(self, theta: Ball, rate: Ball) -> tuple[Ball, Ball]:
+    def rolling_acceleration(self, theta: Ball, rate: Ball, rotation: int = 0) -> Ball:
+        """Return θ″ of rolling."""
+        sin, cos, u = theta.sin(), theta.cos(), rate * rate
+        turning = self.offset * sin * (self.down + u)
+        turning += (self.mass + self.offset * cos) * self.back
+        turning -= self.chi * rotation * self.mass * self.contact(theta, rate)
+        return turning / self.resisted_denominator(sin, cos, rotation)
+
+    def rolling_forces(self, theta: Ball, rate: Ball, rotation: int = 0) -> tuple[Ball, Ball]:
         """Return N and F of rolling."""
         sin, cos, u = theta.sin(), theta.cos(), rate * rate
         lever, heavy = self.mass + self.offset * cos, self.mass * self.back
-        acceleration = (self.offset * sin * (self.down + u) + lever * self.back) / self.denominator(
-            cos
-        )
+        acceleration = self.rolling_acceleration(theta, rate, rotation)
         normal = self.mass * self.down - self.offset * (sin * acceleration + cos * u)
         return normal, self.offset * sin * u - lever * acceleration + heavy
 
-    def sliding_forces(self, theta: Ball, rate: Ball, sigma: int) -> tuple[Ball, Ball]:
+    def sliding_forces(
+        self, theta: Ball, rate: Ball, sigma: int, rotation: int = 0
+    ) -> tuple[Ball, Ball]:
         """Return N and F of sliding."""
-        p = self.solvability(theta.sin(), theta.cos(), sigma)
+        p = self.solvability(theta.sin(), theta.cos(), sigma, rotation)
         normal = self.mass * self.inertia * self.contact(theta, rate) / p
         return normal, -self.mu_k * sigma * normal
 
@@ -109,6 +124,8 @@ class Next:
     evidence: dict[str, Ball]
     order: int = 0
     """Order of the zero of what the phase begins with: of the slip, or of the gap."""
+    rotation: int = 0
+    """Sign of θ′ in a phase with rolling resistance."""
 
 
 def decide(body: Body, state: State, gives_way: int = 0, *, arrives: bool = True) -> Next:

@@ -26,6 +26,7 @@ class Exact:
     inertia: Fraction
     mu_s: Fraction
     mu_k: Fraction
+    rolling_resistance: Fraction
 
 
 HOOP = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k")
@@ -39,9 +40,10 @@ HOOP_SI = (
     "mu_k",
     "gravity_m_per_s2",
 )
+ROLLING_RESISTANCE = {"dimensionless": "rolling_resistance", "si": "rolling_resistance_m"}
 START = ("theta", "theta_rate", "slip", "gap_rate")
 LAWS = ("energetic", "poisson", "newton")
-SYSTEMS = ("dimensionless", "si")
+SYSTEMS = tuple(ROLLING_RESISTANCE)
 
 
 @dataclass(frozen=True)
@@ -57,6 +59,7 @@ class Case:
     family: str = ""
     units: str = SYSTEMS[0]
     slope: float = 0.0
+    rolling_resistance: float = 0.0
 
     def __post_init__(self) -> None:
         try:
@@ -71,10 +74,18 @@ class Case:
     def dimensionless(self) -> Exact:
         """Return the numbers of the hoop."""
         given = [Fraction(value) for value in self.hoop]
+        resistance = Fraction(self.rolling_resistance)
         if self.units != "si":
-            return Exact(*given)
+            return Exact(*[*given, resistance])
         disc, particle, radius, offset, inertia, mu_s, mu_k, _ = given
-        return Exact(disc / particle, offset / radius, inertia / (particle * radius**2), mu_s, mu_k)
+        return Exact(
+            disc / particle,
+            offset / radius,
+            inertia / (particle * radius**2),
+            mu_s,
+            mu_k,
+            resistance / radius,
+        )
 
     def scales(self) -> tuple[Fraction, Fraction, Fraction]:
         """Return mass, length and gravity by which the numbers of the case are measured."""
@@ -85,6 +96,8 @@ class Case:
     def written(self) -> dict[str, Any]:
         """Return the case for a certificate."""
         hoop: dict[str, Any] = dict(zip(self.names(), self.hoop, strict=True))
+        if self.rolling_resistance != 0:
+            hoop[ROLLING_RESISTANCE[self.units]] = self.rolling_resistance
         if self.slope != 0:
             hoop["slope"] = self.slope
         if self.restitution is not None:
@@ -133,4 +146,5 @@ class Case:
             whole["family"],
             units,
             float(hoop.get("slope", 0.0)),
+            float(hoop.get(ROLLING_RESISTANCE[units], 0.0)),
         )

@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 from .balls import Ball, Beyond, Undecided, arb, precision, text
-from .body import State
+from .body import Next, State
 from .case import Case
 from .checker import digest
 from .motion import Event, Motion, Phase, Walk
@@ -95,9 +95,13 @@ class _Writer:
         """Return the certificate, but for its digest."""
         motion, energy = self.walk.follow(), self.walk.body.energy
         initial = motion.initial
-        slides = ((one.start, one.end) for one in motion.phases if one.mode == "sliding")
         sliding = sum(
-            (energy(start) - energy(end) for start, end in slides if end is not None), arb(0)
+            (
+                energy(one.start) - energy(one.end) - one.resisted
+                for one in motion.phases
+                if one.mode in ("sliding", "skidding") and one.end is not None
+            ),
+            arb(0),
         )
         impacts = sum((one.impact.lost for one in motion.events if one.impact is not None), arb(0))
         energies = {
@@ -105,6 +109,10 @@ class _Writer:
             "lost_in_slides": sliding,
             "lost_in_impacts": impacts,
         }
+        if self.walk.body.resists:
+            energies["lost_in_rolling_resistance"] = sum(
+                (one.resisted for one in motion.phases), arb(0)
+            )
         return {
             "format": FORMAT,
             "version": VERSION,
@@ -113,6 +121,7 @@ class _Writer:
             "initial": {
                 "mode": initial.mode,
                 "direction": initial.direction,
+                **self._rotation(initial),
                 "evidence": self._evidence(initial.evidence, "the start"),
             },
             "phases": [self._phase(phase, f"phase {k}") for k, phase in enumerate(motion.phases)],
@@ -123,6 +132,9 @@ class _Writer:
                 for name, value in energies.items()
             },
         }
+
+    def _rotation(self, one: Next | Phase | Event) -> dict[str, int]:
+        return {"rotation": one.rotation} if self.walk.body.resists else {}
 
     def _number(self, name: str, value: Ball, where: str) -> list[str]:
         return _text(value * self.walk.scale[name], f"{name} of {where}")
@@ -152,16 +164,24 @@ class _Writer:
     def _phase(self, phase: Phase, where: str) -> dict[str, Any]:
         samples = [
             self._state(state, where)
-            | self._numbers({"normal": normal, "friction": friction}, where)
-            for state, normal, friction in phase.samples
+            | self._numbers(
+                dict(zip(("normal", "friction", "couple"), forces, strict=False)), where
+            )
+            for state, forces in phase.samples
         ]
-        return {"mode": phase.mode, "direction": phase.direction, "samples": samples}
+        return {
+            "mode": phase.mode,
+            "direction": phase.direction,
+            **self._rotation(phase),
+            "samples": samples,
+        }
 
     def _event(self, event: Event, where: str) -> dict[str, Any]:
         written: dict[str, Any] = {
             "cause": event.cause,
             "to": event.to,
             "direction": event.direction,
+            **self._rotation(event),
             "state": self._state(event.after, where),
             "evidence": self._evidence(event.evidence, where),
         }
@@ -184,6 +204,8 @@ class _Writer:
         end: dict[str, Any] = {"kind": motion.ending}
         if motion.end is not None:
             end["state"] = self._state(motion.end, "the end")
+        if motion.half_swings is not None:
+            end["half_swings"] = motion.half_swings
         if motion.recurrence:
             end["recurrence"] = motion.recurrence
         if motion.period is not None:

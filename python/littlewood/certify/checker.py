@@ -513,7 +513,8 @@ def angle_and_rate(theta: Disc, rate: Disc) -> tuple[Disc, Disc, Disc]:
 # m, Î and h are mass, inertia about the mass centre and its distance from the centre, ℓ = m h; s,
 # c, ω are sin θ, cos θ and θ′; σ is the direction of slip. The plane rises to the right by α; of
 # gravity cos α is normal to it (`down`), and sin α points back along it (`back`). (2.11) to (2.18)
-# are the equations of the paper, docs/theory derives them.
+# are the equations of the paper, docs/theory derives them. With rolling resistance a couple −ς χ N
+# acts, ς the sign of θ′ (`rotation`, 0 without): docs/theory/rolling-resistance.md.
 
 
 Value: TypeAlias = Any
@@ -532,6 +533,7 @@ class Body:
     mu_k: Value
     down: Value
     back: Value
+    chi: Value
 
     def converted(self, to: Callable[[Range], Value]) -> Body:
         """Return the same with numbers of another kind."""
@@ -549,27 +551,42 @@ class Body:
         """Return 1 + h c + σ μk h s: η′ − (…) ω + (σ μk cos α + sin α) τ is constant in a slide."""
         return 1 + self.h * c + self.mu_k * self.h * s * sigma
 
-    def solvability(self, s: Value, c: Value, sigma: int) -> Value:
+    def solvability(self, s: Value, c: Value, sigma: int, rotation: int = 0) -> Value:
         """Return P = Î + m h s q."""
-        return self.inertia + self.m * self.h * s * self._q(s, c, sigma)
+        return self.inertia + self.m * self.h * s * self.q(s, c, sigma, rotation)
 
-    def _q(self, s: Value, c: Value, sigma: int) -> Value:
-        return self.h * s - self.mu_k * sigma * (1 + self.h * c)
+    def q(self, s: Value, c: Value, sigma: int, rotation: int = 0) -> Value:
+        """Return q = h s − σ μk (1 + h c) − ς χ."""
+        arm = self.h * s - self.mu_k * sigma * (1 + self.h * c)
+        return arm - self.chi * rotation if rotation else arm
 
-    def rolling(self, s: Value, c: Value, omega: Value) -> Value:
+    def pressing(self, s: Value, c: Value, rotation: int = 0) -> Value:
+        """Return D = Î + m (1 + h²) + 2 ℓ c, less ς χ ℓ s."""
+        constant = self.inertia + self.m * (1 + self.h * self.h)
+        found = 2 * (self.offset * c) + constant
+        return found - self.chi * rotation * (self.offset * s) if rotation else found
+
+    def rolling(self, s: Value, c: Value, omega: Value, rotation: int = 0) -> Value:
         """Return θ″ of rolling (2.11).
 
-        It is (ℓ s (cos α + ω²) + (m + ℓ c) sin α)/D with D = Î + m (1 + h²) + 2 ℓ c.
+        It is (ℓ s (cos α + ω²) + (m + ℓ c) sin α − ς χ m w)/D.
         """
-        constant = self.inertia + self.m * (1 + self.h * self.h)
         turning = (
             self.offset * s * (self.down + omega * omega) + (self.offset * c + self.m) * self.back
         )
-        return turning / (2 * (self.offset * c) + constant)
+        if rotation:
+            turning = turning - self.chi * rotation * self.m * self.weight(c, omega)
+        return turning / self.pressing(s, c, rotation)
 
-    def sliding(self, s: Value, c: Value, omega: Value, sigma: int) -> Value:
+    def sliding(self, s: Value, c: Value, omega: Value, sigma: int, rotation: int = 0) -> Value:
         """Return θ″ of sliding, m q w/P (2.16)."""
-        return self.m * self._q(s, c, sigma) * self.weight(c, omega) / self.solvability(s, c, sigma)
+        pull = self.m * self.q(s, c, sigma, rotation) * self.weight(c, omega)
+        return pull / self.solvability(s, c, sigma, rotation)
+
+    def normal(self, s: Value, c: Value, omega: Value, sigma: int, rotation: int = 0) -> Value:
+        """Return N of sliding, m Î w/P."""
+        pressed = self.m * self.inertia * self.weight(c, omega)
+        return pressed / self.solvability(s, c, sigma, rotation)
 
     def gliding(self, s: Value, c: Value, omega: Value) -> Value:
         """Return θ″ of gliding, where the height of the particle falls freely: w/(h s) (3.17)."""
@@ -759,22 +776,27 @@ def _ball(value: Any, where: str) -> None:
     _text("[0-9]+(e-?[0-9]+)?")(value[1], f"{where}[1]")
 
 
+def _count(value: Any, where: str) -> None:
+    whole = isinstance(value, (int, float)) and not isinstance(value, bool) and value % 1 == 0
+    _must(whole and value >= 0, value, where, "be a whole number, at least 0")
+
+
 STEEPEST = 1.5707963267948966
 """The greatest double below π/2."""
 
 
-def _of_hoop(numbers: Mapping[str, Shape]) -> Shape:
-    friction, slope = (
+def _of_hoop(numbers: Mapping[str, Shape], rolling_resistance: str) -> Shape:
+    friction, others = (
         {"mu_s": _number(0), "mu_k": _number(0)},
-        {"slope": _number(-STEEPEST, most=STEEPEST)},
+        {"slope": _number(-STEEPEST, most=STEEPEST), rolling_resistance: _number(0)},
     )
     impacts = {
         "restitution": _number(0, most=1),
         "restitution_law": _one_of("energetic", "poisson", "newton"),
     }
     plain, bouncing = (
-        _object({**numbers, **friction}, slope),
-        _object({**numbers, **friction, **impacts}, slope),
+        _object({**numbers, **friction}, others),
+        _object({**numbers, **friction, **impacts}, others),
     )
 
     def shape(value: Any, where: str) -> None:
@@ -787,7 +809,8 @@ def _of_hoop(numbers: Mapping[str, Shape]) -> Shape:
 
 _HOOPS = {
     "dimensionless": _of_hoop(
-        {"mass_ratio": _number(0), "offset": _number(0, most=1), "inertia": _number(0)}
+        {"mass_ratio": _number(0), "offset": _number(0, most=1), "inertia": _number(0)},
+        "rolling_resistance",
     ),
     "si": _of_hoop(
         {
@@ -797,7 +820,8 @@ _HOOPS = {
             "offset_m": _number(0),
             "inertia_kg_m2": _number(0),
             "gravity_m_per_s2": _number(above=0),
-        }
+        },
+        "rolling_resistance_m",
     ),
 }
 
@@ -821,8 +845,19 @@ def _case(value: Any, where: str) -> None:
     _object({**names, "hoop": hoop, "start": _object(start), "until": until})(value, where)
 
 
-_MODE = _one_of("rolling", "sliding", "gliding", "flight", "inconsistent", "ambiguous")
+_MODES = (
+    "rolling",
+    "sliding",
+    "gliding",
+    "flight",
+    "skidding",
+    "rest",
+    "inconsistent",
+    "ambiguous",
+)
+_MODE = _one_of(*_MODES)
 _DIRECTION = _one_of(-1, 0, 1)
+_ROTATION = {"rotation": _DIRECTION}
 _BALLS = _objects(_ball)
 _CERTIFICATE: dict[str, Shape] = {
     "format": _one_of("littlewood-certificate"),
@@ -832,15 +867,15 @@ _CERTIFICATE: dict[str, Shape] = {
     "digest": _text("[0-9a-f]{64}"),
 }
 _MOTION: dict[str, Shape] = {
-    "initial": _object({"mode": _MODE, "direction": _DIRECTION, "evidence": _BALLS}),
-    "phases": _list(_object({"mode": _MODE, "direction": _DIRECTION, "samples": _list(_BALLS)})),
+    "initial": _object({"mode": _MODE, "direction": _DIRECTION, "evidence": _BALLS}, _ROTATION),
+    "phases": _list(
+        _object({"mode": _MODE, "direction": _DIRECTION, "samples": _list(_BALLS)}, _ROTATION)
+    ),
     "events": _list(
         _object(
             {
                 "cause": _text(),
-                "to": _one_of(
-                    "rolling", "sliding", "gliding", "flight", "inconsistent", "ambiguous", None
-                ),
+                "to": _one_of(*_MODES, None),
                 "direction": _DIRECTION,
                 "state": _BALLS,
                 "evidence": _BALLS,
@@ -854,15 +889,24 @@ _MOTION: dict[str, Shape] = {
                         "energy_lost": _ball,
                     },
                     {"before": _BALLS},
-                )
+                ),
+                **_ROTATION,
             },
         )
     ),
     "end": _object(
         {"kind": _text()},
-        {"state": _BALLS, "recurrence": _one_of("rest", "libration", "rotation"), "period": _ball},
+        {
+            "state": _BALLS,
+            "half_swings": _count,
+            "recurrence": _one_of("rest", "libration", "rotation"),
+            "period": _ball,
+        },
     ),
-    "energy": _object({"start": _ball, "lost_in_slides": _ball, "lost_in_impacts": _ball}),
+    "energy": _object(
+        {"start": _ball, "lost_in_slides": _ball, "lost_in_impacts": _ball},
+        {"lost_in_rolling_resistance": _ball},
+    ),
 }
 
 
@@ -927,8 +971,9 @@ def valid_case(case: Any, where: str = "") -> None:
             f"{dot}start.gap_rate",
             "be 0: the hoop has no mass",
         )
-        slope = hoop.get("slope", 0)
-        _must(slope == 0, slope, f"{dot}hoop.slope", "be 0: the hoop has no mass")
+        for key in ("slope", "rolling_resistance", "rolling_resistance_m"):
+            value = hoop.get(key, 0)
+            _must(value == 0, value, f"{dot}hoop.{key}", "be 0: the hoop has no mass")
 
 
 class Written(float):
@@ -985,6 +1030,9 @@ def read(text: bytes | str) -> Any:
 
 # What a case says, as ranges.
 
+LOSSES = ("lost_in_slides", "lost_in_impacts", "lost_in_rolling_resistance")
+"""Energies that a motion loses; the last one with rolling resistance only."""
+
 
 class Given:
     """The body, the start, the law of restitution, where to stop, and the unit of each number."""
@@ -1010,7 +1058,11 @@ class Given:
         self.level = hoop.get("slope", 0) == 0
         back, down = sine_and_cosine(of(Fraction(hoop.get("slope", 0))))
         mu_s, mu_k = (of(Fraction(hoop[name])) for name in ("mu_s", "mu_k"))
-        self.body = Body(of(m), of(h), of(inertia), of(offset), mu_s, mu_k, down, back)
+        chi = Fraction(hoop.get("rolling_resistance", 0))
+        if case["units"] == "si":
+            chi = Fraction(hoop.get("rolling_resistance_m", 0)) / length
+        self.body = Body(of(m), of(h), of(inertia), of(offset), mu_s, mu_k, down, back, of(chi))
+        self.resists = chi != 0
         self.massless = ratio == 0 and own == 0
         # What rolls without friction.
         self.balanced, self.equal = offset == 0 and self.level, hoop["mu_s"] == hoop["mu_k"]
@@ -1037,7 +1089,7 @@ class Given:
         )
         self.scale |= dict.fromkeys(("normal", "friction"), of(mass * gravity))
         self.scale |= dict.fromkeys(("normal_impulse", "friction_impulse"), of(mass) * speed)
-        energies = ("energy", "energy_lost", "start", "lost_in_slides", "lost_in_impacts")
+        energies = ("energy", "energy_lost", "start", "couple", *LOSSES)
         self.scale |= dict.fromkeys(energies, of(mass * gravity * length))
 
 
@@ -1051,6 +1103,10 @@ class Given:
 # | sliding | m q w/P | σ η′, w, P (N = m Î w/P) |
 # | gliding | w/(h s) | σ η′, until the particle falls to the plane (:func:`fall`) |
 # | flight | 0 | the gap |
+# | skidding | 0 | σ η′ |
+#
+# With rolling resistance rolling and sliding have ς θ′ for one more guard, and a hoop that rests
+# has none: it rests for ever.
 #
 # Slip and place are no further unknowns. A slide has m x̄″ = −σ μk N − m sin α, N = m (ȳ″ + cos α);
 # so with f = σ μk of a slide, else 0, and d = f cos α + sin α,
@@ -1059,20 +1115,29 @@ class Given:
 
 
 ROLLING, SLIDING, GLIDING, FLIGHT = "rolling", "sliding", "gliding", "flight"
+SKIDDING, REST = "skidding", "rest"
 SLIP, CONTACT, SOLVABLE, GAP, NORMAL = "slip", "contact", "solvability", "gap", "normal"
 UP, DOWN = "margin_positive", "margin_negative"
-PLANE, TIME = "particle_at_plane", "time_limit"
+PLANE, TIME, TURNING = "particle_at_plane", "time_limit", "turning_point"
 
 
 class Phase:
     """A phase from a state on; its slip or its gap begins with a zero of the order given."""
 
     def __init__(
-        self, given: Given, start: State, mode: str, sigma: int = 0, order: int = 0
+        self,
+        given: Given,
+        start: State,
+        mode: str,
+        sigma: int = 0,
+        order: int = 0,
+        rotation: int = 0,
     ) -> None:
         self.body, self.massless, self.start, self.mode = given.body, given.massless, start, mode
-        self.sigma, self.order = sigma, order
-        self.rubs = sigma if mode == SLIDING else 0
+        self.sigma, self.order, self.rotation = sigma, order, rotation
+        # Where it begins to turn, θ′ has a simple zero.
+        self.turning_order = 1 if start.rate.is_zero() else 0
+        self.rubs = sigma if mode in (SLIDING, SKIDDING) else 0
         self.drag = given.body.drag(self.rubs)
         self.sin, self.cos = s, c = sine_and_cosine(start.theta)
         body, omega = self.body, start.rate
@@ -1086,9 +1151,9 @@ class Phase:
     def acceleration(self, body: Body, s: Value, c: Value, omega: Value) -> Value:
         """Return θ″ for numbers of any kind."""
         if self.mode == ROLLING:
-            return body.rolling(s, c, omega)
+            return body.rolling(s, c, omega, self.rotation)
         if self.mode == SLIDING:
-            return body.sliding(s, c, omega, self.sigma)
+            return body.sliding(s, c, omega, self.sigma, self.rotation)
         return body.gliding(s, c, omega)
 
     def guards(
@@ -1104,17 +1169,20 @@ class Phase:
         At sin θ, cos θ, θ′, at θ″ and a time from the start.
         """
         s, c, omega = angle
+        turns = {TURNING: omega * self.rotation} if self.rotation else {}
         if self.mode == ROLLING and self.massless:
             # F/N = −tan(θ/2), and N has the sign of 1 − ω²: where N vanishes F does, too.
             grip = body.mu_s * (1 + c)
             return {NORMAL: 1 - omega * omega, UP: grip + s, DOWN: grip - s}
         if self.mode == ROLLING:
             normal, friction = body.forces(s, c, omega, alpha)
-            return {UP: body.mu_s * normal - friction, DOWN: body.mu_s * normal + friction}
+            margins = {UP: body.mu_s * normal - friction, DOWN: body.mu_s * normal + friction}
+            return margins | turns
         found = {SLIP: self._slip(body, angle, tau, slip_constant) * self.sigma}
         if self.mode == SLIDING:
-            found |= {CONTACT: body.weight(c, omega), SOLVABLE: body.solvability(s, c, self.sigma)}
-        return found
+            solvable = body.solvability(s, c, self.sigma, self.rotation)
+            found |= {CONTACT: body.weight(c, omega), SOLVABLE: solvable}
+        return found | turns
 
     def _slip(
         self, body: Body, angle: tuple[Value, Value, Value], tau: Value, constant: Value
@@ -1145,6 +1213,7 @@ class Phase:
             s, c = sine_and_cosine(start.theta + omega * tau / 2)
             sin_grows, cos_grows = 2 * half * c, -(2 * half * s)
             slip = start.slip + body.h * cos_grows * omega - body.back * tau
+            x = start.x + self.along * tau + body.h * sin_grows - body.back * (tau * tau / 2)
             gap = self.thrown(tau) - body.h * cos_grows
             gap_rate = start.gap_rate - body.down * tau + body.h * sin_grows * omega
         return State(start.time + tau, theta, omega, slip, x, gap, gap_rate)
@@ -1160,9 +1229,23 @@ class Phase:
             return Range(0), Range(0)
         body, (s, c), omega = self.body, sine_and_cosine(state.theta), state.rate
         if self.mode == ROLLING:
-            return body.forces(s, c, omega, body.rolling(s, c, omega))
-        normal = body.m * body.inertia * body.weight(c, omega) / body.solvability(s, c, self.sigma)
+            return body.forces(s, c, omega, body.rolling(s, c, omega, self.rotation))
+        if self.mode == REST:
+            return body.m * body.down, body.m * body.back
+        normal: Range = body.m * body.down
+        if self.mode == SLIDING:
+            normal = body.normal(s, c, omega, self.sigma, self.rotation)
         return normal, -(body.mu_k * normal) * self.sigma
+
+    def couple(self, state: State, forces: tuple[Range, Range]) -> Range:
+        """Return the couple of rolling resistance: what keeps the angle where it does not turn."""
+        (normal, friction), body = forces, self.body
+        if self.mode in (SKIDDING, REST):
+            s, c = sine_and_cosine(state.theta)
+            arms: Range = body.h * s * normal + (1 + body.h * c) * friction
+            return -arms
+        resisted: Range = body.chi * self.rotation * normal
+        return -resisted
 
 
 def energy(body: Body, state: State) -> Range:
@@ -1238,6 +1321,12 @@ class Guard:
             (one.largest() * (k * (k - 1)) for k, one in reversed(numbered[2:])), high.largest()
         )
         return first.widened((second * half).largest()).widened(self.slope_off)
+
+    def integral(self, last: Range) -> Range:
+        """Enclose the integral from 0 to a point."""
+        numbered = list(enumerate(self.coefficients))
+        found = at((one / (k + 1) for k, one in reversed(numbered)), last) * last
+        return found.widened((self.off * last).largest())
 
     def between(self, low: Range, high: Range) -> Range:
         """Enclose the values between two points."""
@@ -1456,10 +1545,33 @@ class Step:
         )
         tau, constant = (around(*one) for one in ((self.tau, self.rho), (phase.slip_constant,)))
         sizes = phase.guards(phase.in_discs, angle, self._acceleration(angle), tau, constant)
-        orders = {SLIP: phase.order} if self.tau.is_zero() else {}
+        orders = {SLIP: phase.order, TURNING: phase.turning_order} if self.tau.is_zero() else {}
         return {
             name: self._guard(series[name], sizes[name], orders.get(name, 0)) for name in series
         }
+
+    def rubbed(self, last: Range) -> Range:
+        """Return the energy that friction of a slide takes up to a place in the step.
+
+        It is the integral of μk N |η′|.
+        """
+        phase, sigma, rotation = self.phase, self.phase.sigma, self.phase.rotation
+
+        def power(body: Body, angle: tuple[Value, Value, Value], slip: Value) -> Value:
+            return body.normal(*angle, sigma, rotation) * slip * body.mu_k
+
+        # The guard of slip, before its zero is divided out.
+        tau, constant = (around(*one) for one in ((self.tau, self.rho), (phase.slip_constant,)))
+        series = phase.guards(
+            phase.body, self.angle, self.alpha, line(self.tau, self.length), phase.slip_constant
+        )[SLIP]
+        size = phase.guards(
+            phase.in_discs, self._angle, self._acceleration(self._angle), tau, constant
+        )[SLIP]
+        whole = self._guard(
+            power(phase.body, self.angle, series), power(phase.in_discs, self._angle, size), 0
+        )
+        return whole.integral(last) * self.length
 
     def rate_guard(self) -> Guard:
         """Return θ′ in the step."""
@@ -1504,6 +1616,32 @@ class Step:
             )
             + 1
         )
+
+
+class SkidStep:
+    """A whole skid: its slip is a line in time."""
+
+    def __init__(self, phase: Phase, end: Range | None) -> None:
+        self.phase, self.tau = phase, Range(0)
+        slows = phase.drag * phase.sigma
+        if slows.sign() > 0:
+            # A little beyond, so that it covers the end.
+            length = abs(phase.start.slip) / slows * 2 + Range(1)
+            end = length if end is None or exceeds(end, length) else end
+        if end is None:
+            raise TooLong("a skid never ends")
+        self.length = end.largest() + Range(1)
+
+    def moment(self, s: Range) -> tuple[Range, Range, Range]:
+        """Return time, θ and θ′ at a place in the step."""
+        return self.length * s, self.phase.start.theta, Range(0)
+
+    @cached_property
+    def guards(self) -> dict[str, Guard]:
+        """The slip, without its zero at the start."""
+        phase = self.phase
+        line = [phase.start.slip * phase.sigma, -(phase.drag * self.length) * phase.sigma]
+        return {SLIP: Guard(line[phase.order :], Range(1), Range(1))}
 
 
 # A step of a flight.
@@ -1610,7 +1748,7 @@ class FlightStep:
 # A phase followed to its end, step by step: no guard has a zero before.
 
 
-AnyStep: TypeAlias = "Step | FlightStep"
+AnyStep: TypeAlias = "Step | FlightStep | SkidStep"
 
 
 @dataclass(frozen=True)
@@ -1668,6 +1806,17 @@ class Followed:
                 return replace(found, time=time, theta=found.theta + angle, x=found.x - angle)
         raise Inconclusive("a time is not within its phase")
 
+    def rubbed(self) -> Range:
+        """Return the energy that friction of a slide takes, as its power over time."""
+        total, whole = Range(0), Range(1 << Range.bits)
+        assert self.end is not None
+        tau = self.end.time - self.phase.start.time
+        for step in self.steps:
+            assert isinstance(step, Step)
+            last = step is self.steps[-1]
+            total += step.rubbed((tau - step.tau) / step.length if last else whole)
+        return total
+
 
 def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
     """Follow a phase to the zero of a guard, to the end of time, or until it repeats itself.
@@ -1675,9 +1824,12 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
     Only rolling repeats itself.
     """
     run, start = Followed(phase), phase.start
+    if phase.mode == REST:
+        return run
     limit = None if given.until is None else given.until - start.time
     if (
         phase.mode == ROLLING
+        and not given.resists
         and start.rate.is_zero()
         and given.level
         and (given.balanced or start.theta.is_zero())
@@ -1693,6 +1845,8 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
         step: AnyStep
         if phase.mode == FLIGHT:
             step = FlightStep(phase, tau, stop)
+        elif phase.mode == SKIDDING:
+            step = SkidStep(phase, stop)
         else:
             step = Step(phase, tau, theta, rate, guess, stop)
             guess = step.rho * 1.2
@@ -1700,16 +1854,11 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
         free, found = first_zero(step.guards)
         run.free.append(free)
         if found is not None and _before(step.moment(found[1])[0], limit):
-            run.guard, s = found
-            run.end = phase.state(*step.moment(s))
-            if run.guard == SLIP:
-                run.end = replace(run.end, slip=Range(0))
-            if run.guard == GAP and isinstance(step, FlightStep):
-                rate = step.landing_rate(s) if step.order == 1 else run.end.gap_rate
-                run.end = replace(run.end, gap=Range(0), gap_rate=rate)
+            run.guard, run.end = found[0], _ended(phase, step, *found)
             return run
         tau, theta, rate = step.moment(Range(1 << Range.bits))
-        if isinstance(step, Step) and phase.mode == ROLLING and run.turn is None:
+        repeats = phase.mode == ROLLING and not given.resists
+        if isinstance(step, Step) and repeats and run.turn is None:
             run.turn = _turn(given, step, (theta, rate), start.theta, turning)
         if phase.mode == GLIDING:
             run.end = fall(phase.state(tau, theta, rate), phase.sigma)
@@ -1726,6 +1875,19 @@ def follow(given: Given, phase: Phase, most_steps: int) -> Followed:
             run.guard, run.end = TIME, run.at(given.until)
             return run
     raise TooLong(f"a phase of {phase.mode} takes more than {most_steps} steps")
+
+
+def _ended(phase: Phase, step: AnyStep, guard: str, s: Range) -> State:
+    """Return the state where a guard vanishes: what vanishes with it is 0."""
+    end = phase.state(*step.moment(s))
+    if guard == SLIP:
+        return replace(end, slip=Range(0))
+    if guard == TURNING:
+        return replace(end, rate=Range(0))
+    if guard == GAP and isinstance(step, FlightStep):
+        rate = step.landing_rate(s) if step.order == 1 else end.gap_rate
+        return replace(end, gap=Range(0), gap_rate=rate)
+    return end
 
 
 def _before(tau: Range, limit: Range | None) -> bool:
@@ -1779,16 +1941,23 @@ class Next:
     direction: int
     evidence: dict[str, Range]
     order: int = 0
+    rotation: int = 0
 
 
-def decide(given: Given, state: State, gives_way: int = 0, *, starts: bool = False) -> Next:
+ARRIVED = Next("", 1, {}, 0, 1)
+"""What is before a motion that arrives on the plane, and held nothing."""
+
+
+def decide(given: Given, state: State, gives_way: int = 0, *, before: Next | None = None) -> Next:
     """Decide what follows on the plane.
 
     Static friction has just given way to this direction, if it is not 0.
 
-    Rolling and flight may both be consistent: a start is then ambiguous, and all else keeps its
-    contact.
+    Rolling and flight may both be consistent: a start, with nothing before it, is then ambiguous,
+    and all else keeps its contact.
     """
+    if given.resists:
+        return _resisted(given, state, gives_way, before)
     body, (s, c), omega = given.body, sine_and_cosine(state.theta), state.rate
     moving = state.slip.sign()
     normal, friction = body.forces(s, c, omega, body.rolling(s, c, omega))
@@ -1811,7 +1980,7 @@ def decide(given: Given, state: State, gives_way: int = 0, *, starts: bool = Fal
     holds = holds and (
         given.balanced or ((grip - friction).sign() > 0 and (grip + friction).sign() > 0)
     )
-    if holds and not (starts and presses < 0):
+    if holds and not (before is None and presses < 0):
         return Next(ROLLING, 0, evidence)
     solvable = {sigma: body.solvability(s, c, sigma) for sigma in (-1, 1)}
     evidence |= {"solvability_negative": solvable[-1], "solvability_positive": solvable[1]}
@@ -1849,6 +2018,144 @@ def _massless(
     return Next(GLIDING, direction, forces, 1)
 
 
+# Which motion follows with rolling resistance (docs/theory/rolling-resistance.md).
+#
+# A mode is a pair of signs, σ of the slip and ς of θ′, each 0 where it is held. Where one of them
+# is 0 at the state, all three are tried: forces and couple have to obey their laws, and what begins
+# has to begin with its sign. What holds more excludes what holds less.
+
+
+def _resisted(given: Given, state: State, gives_way: int, before: Next | None) -> Next:
+    """Decide with rolling resistance.
+
+    Several modes are ambiguous at a start, which has nothing before it; what arrives stays in
+    contact, and goes on holding what it held.
+    """
+    if given.massless:
+        raise Inconclusive("a hoop without mass has no motion with rolling resistance")
+    _, c = sine_and_cosine(state.theta)
+    moving, turning = state.slip.sign(), state.rate.sign()
+    w = given.body.weight(c, state.rate)
+    presses, evidence = w.sign(), {"contact": w}
+    if presses == 0:
+        raise Inconclusive("w vanishes where a motion begins")
+    ways = [(moving,) if moving else (0, -1, 1), (turning,) if turning else (0, -1, 1)]
+    signs = [(sigma, rotation) for sigma in ways[0] for rotation in ways[1]]
+    contact = _Contact(given, state, gives_way, evidence)
+    found: list[Next] = []
+    for held in (2, 1, 0):
+        tried = [contact.tried(*pair) for pair in signs if pair.count(0) == held]
+        found = found or [one for one in tried if one is not None]
+        if found:
+            break
+    if presses < 0 and (before is None or not found):
+        found.append(Next(FLIGHT, 0, {}, 2))
+    if before is not None and len(found) > 1:
+        goes_on = [
+            one
+            for one in found
+            if (one.direction == 0 == before.direction) or (one.rotation == 0 == before.rotation)
+        ]
+        found = goes_on or found
+    if len(found) == 1:
+        one = replace(found[0], evidence=evidence | found[0].evidence)
+        if one.mode == ROLLING and one.evidence["rolling_solvability"].sign() < 0:
+            raise Inconclusive("rolling is not stable where D is negative")
+        return one
+    if found:
+        return Next(AMBIGUOUS, 0, evidence)
+    return Next(INCONSISTENT, moving, evidence, rotation=turning)
+
+
+class _Contact:
+    """The modes of a state on the plane, held against their conditions one by one."""
+
+    def __init__(
+        self, given: Given, state: State, gives_way: int, evidence: dict[str, Range]
+    ) -> None:
+        self.given, self.state, self.gives_way, self.evidence = given, state, gives_way, evidence
+        self.angle = *sine_and_cosine(state.theta), state.rate
+        self.moving, self.turning = state.slip.sign(), state.rate.sign()
+
+    def tried(self, sigma: int, rotation: int) -> Next | None:
+        """Return the mode of two signs if it is consistent."""
+        if rotation:
+            return self._slides(sigma, rotation) if sigma else self._rolls(rotation)
+        return self._skids(sigma) if sigma else self._rests()
+
+    def _rests(self) -> Next | None:
+        body, (s, c, _) = self.given.body, self.angle
+        couple = body.h * s * body.down + (1 + body.h * c) * body.back
+        holds = True
+        for name, need, most in (
+            ("rest_couple", couple, body.chi * body.down),
+            ("rest_friction", body.back, body.mu_s * body.down),
+        ):
+            left = self.evidence[name] = most - abs(need)
+            holds = holds and (need.is_zero() or left.sign() > 0)
+        return Next(REST, 0, {}) if holds else None
+
+    def _skids(self, sigma: int) -> Next | None:
+        body, (s, c, _) = self.given.body, self.angle
+        forward, backward = body.q(s, c, sigma, 1), body.q(s, c, sigma, -1)
+        evidence = {"turning_negative": backward, "turning_positive": forward}
+        if self.moving:
+            self.evidence |= evidence
+        if forward.sign() > 0 or backward.sign() < 0:
+            return None
+        if self.moving:
+            return Next(SKIDDING, sigma, {})
+        speeds_up = (-body.drag(sigma) * sigma).sign() > 0
+        return Next(SKIDDING, sigma, evidence, 1) if speeds_up else None
+
+    def _rolls(self, rotation: int) -> Next | None:
+        body, (s, c, omega) = self.given.body, self.angle
+        if self.gives_way:
+            return None
+        alpha = body.rolling(s, c, omega, rotation)
+        normal, friction = body.forces(s, c, omega, alpha)
+        pressing = body.pressing(s, c, rotation)
+        evidence = {
+            "rolling_solvability": pressing,
+            "rolling_normal": normal,
+            "rolling_friction": friction,
+        }
+        if self.turning:
+            self.evidence |= evidence
+        grip = body.mu_s * normal
+        if normal.sign() <= 0 or not (
+            friction.is_zero() or ((grip - friction).sign() > 0 and (grip + friction).sign() > 0)
+        ):
+            return None
+        if not self.turning and (alpha * rotation).sign() <= 0:
+            return None
+        return Next(ROLLING, 0, {} if self.turning else evidence, 0, rotation)
+
+    def _slides(self, sigma: int, rotation: int) -> Next | None:
+        body, (s, c, omega) = self.given.body, self.angle
+        p = body.solvability(s, c, sigma, rotation)
+        side = "" if self.moving else "_positive" if sigma > 0 else "_negative"
+        if self.turning:
+            self.evidence["solvability" + side] = p
+        if p.sign() * self.evidence["contact"].sign() <= 0:
+            return None
+        alpha = body.sliding(s, c, omega, sigma, rotation)
+        if not self.turning and (alpha * rotation).sign() <= 0:
+            return None
+        order = 0
+        if not self.moving:
+            # Where static friction gives way and kinetic friction is equal, η″ = 0, and η‴ has the
+            # sign of P.
+            tie = self.gives_way == sigma and self.given.equal
+            rubbing = body.mu_k * sigma * body.normal(s, c, omega, sigma, rotation) / body.m
+            drives = (1 + body.h * c) * alpha - body.h * s * omega * omega - rubbing - body.back
+            if (p if tie else drives * sigma).sign() <= 0:
+                return None
+            order = 2 if tie else 1
+        evidence = {} if self.turning else {"solvability" + side: p}
+        return Next(SLIDING, sigma, evidence, order, rotation)
+
+
 # One impact, followed in its normal impulse p (docs/theory/impact.md).
 #
 # The gap rate v is a line in p, of slope k1 = C − σ μk B while the contact slips, up to the *bend*
@@ -1867,6 +2174,8 @@ class Impact:
     friction: Range
     case: str
     evidence: dict[str, Range]
+    last: Next = ARRIVED
+    """What its last segment holds."""
 
 
 def impact(body: Body, before: State, e: Range, law: str) -> Impact:
@@ -1919,6 +2228,137 @@ def impact(body: Body, before: State, e: Range, law: str) -> Impact:
     return Impact(after, normal, friction, case, evidence)
 
 
+# An impact with rolling resistance (docs/theory/rolling-resistance.md), whose couple is −ς χ a unit
+# of normal impulse, or holds the angle. With the friction f and the couple k a unit of impulse adds
+# (h s + (1 + h c) f + k)/Î to θ′; what it adds to the slip and to the gap rate follows. So all
+# velocities are lines between the impulses where η′ or θ′ vanishes, and the segment that follows
+# there is chosen as a mode of motion is.
+
+
+@dataclass(frozen=True)
+class Segment:
+    """Two signs, the friction and the couple a unit of impulse, and what that does."""
+
+    signs: tuple[int, int]
+    friction: Range
+    couple: Range
+    slip: Range
+    rate: Range
+    gap_rate: Range
+
+
+def segment(body: Body, before: State, rates: tuple[Range, Range]) -> Segment:
+    """Return the segment that begins with a slip and a rate."""
+    s, c = sine_and_cosine(before.theta)
+    arm, lever, zero = body.h * s, 1 + body.h * c, Range(0)
+    along, across, _ = body.compliances(s, c)
+    ways = [(one.sign(),) if not one.is_zero() else (0, -1, 1) for one in rates]
+
+    def made(sigma: int, rotation: int) -> Segment | None:
+        friction, couple = -(body.mu_k * sigma), -(body.chi * rotation)
+        if sigma == 0:
+            friction = -(across + lever * couple / body.inertia) / along if rotation else zero
+        if rotation == 0:
+            couple = -(arm + lever * friction)
+        spin = (arm + lever * friction + couple) / body.inertia if rotation else zero
+        slip = friction / body.m + lever * spin if sigma else zero
+        held = [(friction, body.mu_s)] if sigma == 0 else []
+        held += [(couple, body.chi)] if rotation == 0 else []
+        if any(not need.is_zero() and (most - abs(need)).sign() < 0 for need, most in held):
+            return None
+        begins = [(slip, sigma)] if sigma and rates[0].is_zero() else []
+        begins += [(spin, rotation)] if rotation and rates[1].is_zero() else []
+        if any((value * sign).sign() <= 0 for value, sign in begins):
+            return None
+        return Segment((sigma, rotation), friction, couple, slip, spin, 1 / body.m + arm * spin)
+
+    for zeros in (2, 1, 0):
+        signs = [(a, b) for a in ways[0] for b in ways[1] if (a, b).count(0) == zeros]
+        found = [one for one in (made(*pair) for pair in signs) if one is not None]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            break
+    raise Inconclusive("an impact has no segment, or two")
+
+
+def impact_with_couple(body: Body, before: State, e: Range, law: str) -> Impact:
+    """Follow an impact with rolling resistance; without a gap rate it is a jam."""
+    slip, rate, v = before.slip, before.rate, before.gap_rate
+    p = friction = work = Range(0)
+    # Impulse and work of the compression, once it has ended.
+    pressed: tuple[Range, Range] | None = None
+    passed: list[tuple[Segment, Range, bool]] = []
+    name = ""
+    while name != "over":
+        now = segment(body, before, (slip, rate))
+        if not passed or passed[-1][0].signs != now.signs:
+            passed.append((now, p, pressed is None))
+        ends = [
+            (-(value / change), v - now.gap_rate * (value / change), name)
+            for name, value, change in (("slip", slip, now.slip), ("rate", rate, now.rate))
+            if not value.is_zero() and change.sign() * value.sign() < 0
+        ]
+        if pressed is not None:
+            ends.append(_over(now, (p, v, work), pressed, (e, law, before.gap_rate)))
+        elif now.gap_rate.sign() > 0:
+            ends.append((-(v / now.gap_rate), Range(0), "pressed"))
+        if not ends:
+            raise Inconclusive("an impact jams for ever")
+        step, opening, name = ends[0]
+        for one in ends[1:]:
+            if (step - one[0]).sign() > 0:
+                step, opening, name = one
+        work += step * (v + opening) / 2
+        p, friction, v = p + step, friction + now.friction * step, opening
+        slip = slip + now.slip * step if name != "slip" else Range(0)
+        rate = rate + now.rate * step if name != "rate" else Range(0)
+        if name == "pressed":
+            pressed, work = (p, work), Range(0)
+            name = "over" if e.is_zero() else name
+    evidence = {f"k{k}": one.gap_rate for k, (one, *_) in enumerate(passed, 1)}
+    evidence |= {f"segment_{k}": begin for k, (_, begin, _) in enumerate(passed[1:], 2)}
+    after = replace(before, rate=rate, slip=slip, gap=Range(0), gap_rate=v)
+    last = Next("", now.signs[0], {}, 0, now.signs[1])
+    return Impact(after, p, friction, _case_of(passed), evidence, last)
+
+
+def _over(
+    now: Segment,
+    at: tuple[Range, Range, Range],
+    pressed: tuple[Range, Range],
+    law: tuple[Range, str, Range],
+) -> tuple[Range, Range, str]:
+    """Return the impulse after which the law ends an impact, and the gap rate there.
+
+    From an impulse, a gap rate and the work since compression ended.
+    """
+    (p, v, work), (e, name, closing) = at, law
+    if now.gap_rate.sign() <= 0:
+        raise Inconclusive("the gap closes twice in an impact")
+    if name == "poisson":
+        step = pressed[0] * (1 + e) - p
+        return step, v + now.gap_rate * step, "over"
+    opening = -(e * closing)
+    if name == "energetic":
+        left = -(e * e * pressed[1]) - work
+        opening = (v * v + 2 * (now.gap_rate * left)).sqrt()
+    return (opening - v) / now.gap_rate, opening, "over"
+
+
+def _case_of(passed: list[tuple[Segment, Range, bool]]) -> str:
+    """Return what the slip does in an impact."""
+    first = passed[0][0]
+    if first.gap_rate.sign() < 0:
+        return "jams"
+    for one, _, compresses in passed:
+        sigma = one.signs[0]
+        if sigma == 0 or sigma != first.signs[0]:
+            where = "compression" if compresses else "restitution"
+            return f"{'reverses' if sigma else 'sticks'}_in_{where}"
+    return "slides"
+
+
 # Bounces that accumulate: an enclosure of what infinitely many of them still do.
 #
 # While θ and θ′ stay within a margin of what they are, the rim is pulled back with between W1 and
@@ -1930,6 +2370,9 @@ def impact(body: Body, before: State, e: Range, law: str) -> Impact:
 # That an impact makes at most e V of V is the law where the contact slips throughout. Where it
 # sticks, the slip of the flight before has the sign of −h s ω², so that σ B < 0 and k1 = C + μk
 # |B| > k2, from which it follows for each law.
+#
+# With rolling resistance θ′ has to keep its sign, and k1 > k2 is demanded. Where the couple holds
+# the angle, and θ′ = 0, rates fall by e exactly.
 #
 # With e = 1 bounces still settle where friction takes enough: where the contact sticks in each
 # impact, an impact is homogeneous in its rates, and that of the rate V/v and the slip −h s ω² T/v,
@@ -2019,6 +2462,84 @@ def rest_of_bounces(given: Given, start: State) -> Rest:
     return Rest(end, middle.widened(middle), zero.widened(friction))
 
 
+def rest_with_couple(given: Given, start: State) -> Rest:
+    """Enclose what follows with rolling resistance, while θ′ keeps its sign, or its value 0."""
+    body, e, zero = given.body, given.restitution, Range(0)
+    assert e is not None
+    _demand(exceeds(1 - e, 0), "shrink")
+    if start.rate.is_zero():
+        return _rest_without_rotation(body, start, e)
+    v = start.gap_rate.largest()
+    margin = v * (1 << 24)
+    theta, rate = start.theta.widened(margin), start.rate.widened(margin)
+    rotation = rate.sign()
+    (s, c), pull = sine_and_cosine(theta), body.weight(sine_and_cosine(theta)[1], rate)
+    _demand(exceeds(pull.least(), 0), "are pulled back")
+    weakest, uneven = pull.least(), (pull.largest() / pull.least()).sqrt()
+    shrink = (e * uneven).largest()
+    _demand(exceeds(1 - shrink, 0), "shrink")
+    arm, lever, drift = body.h * s, 1 + body.h * c, (body.h * s * rate * rate).largest()
+    longest = 2 * v / weakest
+    time, closing = (longest / (1 - shrink)).largest(), v * uneven / (1 - shrink)
+    sticks = start.slip.is_zero()
+    # A flight slips against the arm.
+    sigma = -arm.sign() if sticks else start.slip.sign()
+    slides = 1 / body.m + arm * body.q(s, c, sigma, rotation) / body.inertia
+    press, hold = slides, body.mu_k
+    if sticks:
+        along = 1 / body.m + lever * lever / body.inertia
+        turned = lever * (arm - body.chi * rotation) / body.inertia
+        press = body.pressing(s, c, rotation) / (body.inertia * body.m * body.m * along)
+        hold = body.mu_s
+        _demand(exceeds(body.mu_s * along, turned.largest()), "stick")
+        _demand(exceeds(slides, press), "lose by sticking")
+        # The slip ends within the impact, were it to slide throughout.
+        slowing = body.mu_k * along - turned * sigma
+        _demand(exceeds((1 + e) * (v / uneven) * slowing, drift * longest * slides), "stick")
+    _demand(exceeds(press, 0), "are pressed back")
+    normal = ((1 + e) * closing / press).largest()
+    friction = (hold * normal).largest()
+    spin = ((arm.largest() + lever.largest() * hold + body.chi) * normal / body.inertia).largest()
+    change = (friction / body.m + lever.largest() * spin + drift * time).largest()
+    turn = (rate.largest() * time).largest()
+    _demand(exceeds(margin, turn) and exceeds(margin, spin), "stay within their margin")
+    _demand(sticks or exceeds(abs(start.slip), change), "keep their slip")
+    far = ((rate.largest() + start.slip.largest() + change) * time).largest()
+    half, middle = (time / 2).largest(), (normal / 2).largest()
+    end = State(
+        (start.time + half).widened(half),
+        start.theta.widened(turn),
+        start.rate.widened(spin),
+        zero if sticks else start.slip.widened(change),
+        start.x.widened(far),
+        zero,
+        zero,
+    )
+    return Rest(end, middle.widened(middle), zero.widened(friction))
+
+
+def _rest_without_rotation(body: Body, start: State, e: Range) -> Rest:
+    """Sum up bounces in which the couple holds the angle: each has e of the gap rate before it."""
+    (s, c), sigma = sine_and_cosine(start.theta), start.slip.sign()
+    _demand(exceeds(body.chi, body.q(s, c, sigma).largest()), "hold the angle")
+    whole = start.gap_rate / (1 - e)
+    time, normal = 2 * whole / body.down, body.m * (1 + e) * whole
+    friction = -(body.mu_k * sigma * normal)
+    slip = start.slip
+    if sigma:
+        slip = slip + friction / body.m
+        _demand(exceeds(slip * sigma, 0), "keep their slip")
+    end = replace(
+        start,
+        time=start.time + time,
+        slip=slip,
+        x=start.x.widened((start.slip.largest() * time).largest()),
+        gap=Range(0),
+        gap_rate=Range(0),
+    )
+    return Rest(end, normal, friction)
+
+
 def _demand(holds: bool, what: str) -> None:
     if not holds:
         raise Inconclusive(f"it is not seen that bounces {what}")
@@ -2037,8 +2558,9 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
     body, omega, tau = given.body, start.rate, landing.time - start.time
     assert given.restitution is not None
     phi = omega * tau
+    strike = impact_with_couple if given.resists else impact
     if not start.slip.is_zero() or exceeds(2 * phi.largest(), 1):
-        return impact(body, landing, given.restitution, given.law)
+        return strike(body, landing, given.restitution, given.law)
     (s, c), square = sine_and_cosine(start.theta), phi * phi
     fourth, third, second = (_rest_of_series(square, n) for n in (4, 3, 2))
     w, bend = body.weight(c, omega), body.h * omega * omega * phi
@@ -2051,16 +2573,20 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
         * (s * (1 - square * third) + c * phi * (1 - 2 * (square * fourth)) / 2)
         * flight
     )
-    hit = impact(
+    v = start.gap_rate
+    # With rolling resistance it matters when θ′ vanishes, and else only what is added to it.
+    fast = omega / v if given.resists else Range(0)
+    hit = strike(
         body,
-        replace(landing, rate=Range(0), slip=slip, gap_rate=closing),
+        replace(landing, rate=fast, slip=slip, gap_rate=closing),
         given.restitution,
         given.law,
     )
-    v, after = start.gap_rate, hit.after
-    after = replace(
-        after, rate=omega + after.rate * v, slip=after.slip * v, gap_rate=after.gap_rate * v
-    )
+    after = hit.after
+    rate = omega + (after.rate - fast) * v
+    if given.resists and after.rate.is_zero():
+        rate = Range(0)
+    after = replace(after, rate=rate, slip=after.slip * v, gap_rate=after.gap_rate * v)
     return replace(hit, after=after, normal=hit.normal * v, friction=hit.friction * v)
 
 
@@ -2093,8 +2619,8 @@ class Walk:
         self.given = Given(case)
         self.phases: list[dict[str, Any]] = []
         self.events: list[dict[str, Any]] = []
-        self.slides, self.impacts = Range(0), Range(0)
-        self.numbers = self.steps = 0
+        self.slides, self.impacts, self.resistance = Range(0), Range(0), Range(0)
+        self.numbers = self.steps = self.half_swings = 0
 
     def text(self, value: Range, where: str, name: str = "") -> list[str]:
         """Return the text of a number, in the unit of the quantity of this name."""
@@ -2140,10 +2666,11 @@ class Walk:
     def follow(self) -> dict[str, Any]:
         """Follow the motion to its end, and return what a certificate has of it."""
         given, state = self.given, self.given.start
-        now = decide(given, state, starts=True) if state.gap_rate.is_zero() else _opening(state)
+        now = decide(given, state) if state.gap_rate.is_zero() else _opening(state)
         initial = {
             "mode": now.mode,
             "direction": now.direction,
+            **self.rotation(now.rotation),
             "evidence": self.evidence(now.evidence, "the start"),
         }
         start = energy(given.body, state)
@@ -2153,6 +2680,8 @@ class Walk:
             self.count(1)
             if now.mode == INCONSISTENT and given.restitution is not None:
                 state, now, slow = self.hit("jam", state)
+            elif now.mode == REST:
+                end = self.rest(state)
             elif now.mode in (INCONSISTENT, AMBIGUOUS):
                 end = {"kind": now.mode, "state": self.state(state, "the end")}
             elif slow:
@@ -2160,6 +2689,8 @@ class Walk:
             else:
                 state, now, slow, end = self.pass_phase(state, now)
         energies = {"start": start, "lost_in_slides": self.slides, "lost_in_impacts": self.impacts}
+        if given.resists:
+            energies["lost_in_rolling_resistance"] = self.resistance
         return {
             "initial": initial,
             "phases": self.phases,
@@ -2167,6 +2698,10 @@ class Walk:
             "end": end,
             "energy": self.texts(energies, "energy"),
         }
+
+    def rotation(self, sign: int) -> dict[str, int]:
+        """Return the sign of θ′ as a certificate has it: with rolling resistance."""
+        return {"rotation": sign} if self.given.resists else {}
 
     def count(self, steps: int) -> None:
         """Count steps."""
@@ -2189,6 +2724,7 @@ class Walk:
                 "cause": cause,
                 "to": following.mode if following else None,
                 "direction": following.direction if following else 0,
+                **self.rotation(following.rotation if following else 0),
                 "state": self.state(state, where),
                 "evidence": self.evidence(evidence, where),
             }
@@ -2200,7 +2736,7 @@ class Walk:
     ) -> tuple[State, Next, bool, dict[str, Any] | None]:
         """Follow and write a phase, and the event at its end."""
         given = self.given
-        run = self.run(Phase(given, state, now.mode, now.direction, now.order))
+        run = self.run(Phase(given, state, now.mode, now.direction, now.order, now.rotation))
         self.phase(run)
         end = run.end
         if end is None:
@@ -2213,8 +2749,9 @@ class Walk:
                 False,
                 found if turn is None else found | self.texts({"period": turn.period}, "the end"),
             )
-        if now.mode == SLIDING:
-            self.slides += energy(given.body, state) - energy(given.body, end)
+        self.losses(run, end)
+        if run.guard == TURNING and now.mode == ROLLING and state.rate.is_zero():
+            self.half_swings += 1
         if run.guard == TIME:
             return end, now, False, {"kind": TIME, "state": self.state(end, "the end")}
         if run.guard == GAP and given.restitution is not None:
@@ -2225,9 +2762,28 @@ class Walk:
         if run.guard == PLANE:
             self.event(PLANE, end, None)
             return end, now, False, {"kind": PLANE, "state": self.state(end, "the end, " + PLANE)}
-        cause, now = self.after(run.guard, end, now.direction)
+        cause, now = self.after(run.guard, end, now)
         self.event(cause, end, now)
         return end, now, False, None
+
+    def losses(self, run: Followed, end: State) -> None:
+        """Add what friction takes in a phase: of a slide that of its slip, and what is left."""
+        phase, body = run.phase, self.given.body
+        if phase.mode not in (SLIDING, SKIDDING) and not phase.rotation:
+            return
+        lost = energy(body, phase.start) - energy(body, end)
+        if phase.mode == SKIDDING or not phase.rotation:
+            self.slides += lost
+            return
+        rubbed = run.rubbed() if phase.mode == SLIDING else Range(0)
+        self.slides += rubbed
+        self.resistance += lost - rubbed
+
+    def rest(self, state: State) -> dict[str, Any]:
+        """Write the rest of a motion, and return its end."""
+        self.phase(self.run(Phase(self.given, state, REST)))
+        written = self.state(state, "the end")
+        return {"kind": "rests", "state": written, "half_swings": self.half_swings}
 
     def phase(self, run: Followed) -> None:
         """Write a phase: without an end, samples of four units of time."""
@@ -2238,9 +2794,19 @@ class Walk:
             phase.start.time, end, 3 if (phase.mode, phase.order) == (FLIGHT, 1) else 5
         ):
             state = run.at(time)
-            normal, friction = phase.forces(state)
-            samples.append(self.state(state, where, {"normal": normal, "friction": friction}))
-        self.phases.append({"mode": phase.mode, "direction": phase.sigma, "samples": samples})
+            forces = phase.forces(state)
+            written = dict(zip(("normal", "friction"), forces, strict=True))
+            if self.given.resists:
+                written["couple"] = phase.couple(state, forces)
+            samples.append(self.state(state, where, written))
+        self.phases.append(
+            {
+                "mode": phase.mode,
+                "direction": phase.sigma,
+                **self.rotation(phase.rotation),
+                "samples": samples,
+            }
+        )
 
     def times(self, start: Range, end: Range, parts: int) -> list[Range]:
         """Return the times of samples within a phase.
@@ -2258,7 +2824,7 @@ class Walk:
             step /= 2
         return [Range.of(k * step) / unit for k in range(first // step + 1, -(-last // step))]
 
-    def after(self, guard: str, state: State, sigma: int) -> tuple[str, Next]:
+    def after(self, guard: str, state: State, before: Next) -> tuple[str, Next]:
         """Return the cause and what follows where a guard of a phase on the plane vanishes."""
         if guard == CONTACT:
             s, _ = sine_and_cosine(state.theta)
@@ -2267,13 +2833,15 @@ class Walk:
                 raise Refused("the gap does not open where w vanishes")
             return "lift_off", Next(FLIGHT, 0, {"gap_third_derivative": opens}, 3)
         if guard == SLIP:
-            following = decide(self.given, state)
+            following = decide(self.given, state, before=before)
             return ("reversal" if following.direction else "stick"), following
         if guard == SOLVABLE:
             raise Refused("the slide runs into P = 0")
         if guard == NORMAL:
             return "normal_force_zero", Next(GLIDING, -state.rate.sign(), {}, 2)
-        return "slip", decide(self.given, state, -1 if guard == UP else 1)
+        if guard == TURNING:
+            return TURNING, decide(self.given, state, before=before)
+        return "slip", decide(self.given, state, -1 if guard == UP else 1, before=before)
 
     def hit(self, cause: str, before: State) -> tuple[State, Next, bool]:
         """Follow and write an impact.
@@ -2282,9 +2850,10 @@ class Walk:
         """
         given = self.given
         assert given.restitution is not None
-        hit = impact(given.body, before, given.restitution, given.law)
+        follow = impact_with_couple if given.resists else impact
+        hit = follow(given.body, before, given.restitution, given.law)
         after = hit.after
-        now = decide(given, after) if after.gap_rate.is_zero() else _opening(after)
+        now = decide(given, after, before=hit.last) if after.gap_rate.is_zero() else _opening(after)
         lost = energy(given.body, before) - energy(given.body, after)
         self.impacts += lost
         where = f"the impact of event {len(self.events)}"
@@ -2311,7 +2880,7 @@ class Walk:
         assert given.restitution is not None
         if not given.level:
             raise Refused("bounces on a slope are not proved to settle")
-        self.phases.append({"mode": FLIGHT, "direction": 0, "samples": []})
+        self.phases.append({"mode": FLIGHT, "direction": 0, **self.rotation(0), "samples": []})
         state, normal, friction = first, Range(0), Range(0)
         while not exceeds(slowest(), state.gap_rate):
             run = self.run(Phase(given, state, FLIGHT, 0, 1))
@@ -2319,8 +2888,8 @@ class Walk:
                 raise Refused("bounces do not settle before the time limit")
             hit = bounce(given, state, run.end)
             state, normal, friction = hit.after, normal + hit.normal, friction + hit.friction
-        rest = rest_of_bounces(given, state)
-        end, following = rest.end, decide(given, rest.end)
+        rest = (rest_with_couple if given.resists else rest_of_bounces)(given, state)
+        end, following = rest.end, decide(given, rest.end, before=ARRIVED)
         if given.until is not None and not exceeds(given.until, end.time):
             raise Inconclusive("whether bounces settle before the time limit is not decided")
         lost = energy(given.body, first) - energy(given.body, end)

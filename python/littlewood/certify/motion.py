@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import partial
 
@@ -13,10 +13,22 @@ from .case import Case
 from .flight import Flight
 from .gliding import PLANE, Glide, decide_massless
 from .impact import Impact, impact
+from .impact_resisted import impact_of_bounce, impact_resisted
 from .phase import TIME, Followed, Piece, follow
+from .resisted import (
+    Held,
+    ResistedRoll,
+    Skid,
+    decide_resisted,
+    resisted_by_slide,
+    resisted_forces,
+)
 from .rolling import SIDES, Roll
 from .settling import Rest, rest_of_bounces
 from .sliding import CONTACT, SLIP, SOLVABLE, Slide
+
+TURNING_POINT = "turning_point"
+"""The event where θ′ vanishes in contact, with rolling resistance."""
 
 LISTED = 1e-3
 """Bounces whose gap opens more slowly are not listed: they are part of the settlement."""
@@ -33,8 +45,11 @@ class Phase:
     direction: int
     start: State
     end: State | None
-    samples: list[tuple[State, Ball, Ball]] = field(default_factory=list)
-    """States with normal force and friction."""
+    samples: list[tuple[State, tuple[Ball, ...]]] = field(default_factory=list)
+    """States with normal force and friction, and with rolling resistance its couple."""
+    rotation: int = 0
+    resisted: Ball = field(default_factory=lambda: arb(0))
+    """Energy that rolling resistance takes."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +63,7 @@ class Event:
     direction: int
     evidence: dict[str, Ball]
     impact: Impact | None = None
+    rotation: int = 0
 
 
 @dataclass
@@ -61,6 +77,8 @@ class Motion:
     end: State | None = None
     recurrence: str = ""
     period: Ball | None = None
+    half_swings: int | None = None
+    """Of a motion that comes to rest: how often it has rolled from one θ′ = 0 to the next."""
 
 
 @dataclass
@@ -96,13 +114,13 @@ class Walk:
         )
         self.scale |= dict.fromkeys(("normal_impulse", "friction_impulse"), mass * speed)
         self.scale |= dict.fromkeys(("normal", "friction"), force)
-        self.scale |= dict.fromkeys(("energy", "energy_lost"), force * length)
+        self.scale |= dict.fromkeys(("energy", "energy_lost", "couple"), force * length)
         self.start = State(
             arb(0), theta, rate * self.clock, slip / speed, arb(0), arb(0), gap_rate / speed
         )
         self.until = None if case.until is None else ball(Fraction(case.until)) / self.clock
         self.restitution = None if case.restitution is None else ball(Fraction(case.restitution))
-        self.pieces = 0
+        self.pieces = self.half_swings = 0
         self.bouncing: _Bouncing | None = None
 
     def follow(self) -> Motion:
@@ -113,11 +131,14 @@ class Walk:
         else:
             now = Next("flight", 0, {"gap_rate": state.gap_rate}, 1)
         motion = self.motion = Motion(now)
+        resists = self.body.resists
         phases = {
-            "rolling": self._roll,
-            "sliding": self._slide,
+            "rolling": self._turn if resists else self._roll,
+            "sliding": self._turn if resists else self._slide,
             "gliding": self._glide,
             "flight": self._fly,
+            "skidding": self._skid,
+            "rest": self._rest,
         }
         while not motion.ending:
             try:
@@ -151,7 +172,9 @@ class Walk:
         self._count(len(found.pieces))
         return found
 
-    def _decide(self, state: State, *, arrives: bool = True) -> Next:
+    def _decide(self, state: State, *, arrives: bool = True, after: Next | None = None) -> Next:
+        if self.body.resists:
+            return decide_resisted(self.body, state, held=None if after is None else Held.by(after))
         if self.body.is_massless:
             return decide_massless(self.body, state)
         return decide(self.body, state, arrives=arrives)
@@ -165,16 +188,25 @@ class Walk:
         start: State,
         end: State | None,
         at: Callable[[Ball], State],
-        forces: Callable[[State], tuple[Ball, Ball]] = lambda _: (arb(0), arb(0)),
+        forces: Callable[[State], tuple[Ball, ...]] | None = None,
         count: int = 4,
+        resisted: Ball | None = None,
     ) -> None:
         """Add a phase with at least so many samples.
 
         Without an end, those of four units of time.
         """
         times = self._times(start.time, start.time + 4 if end is None else end.time, count)
-        samples = [(one, *forces(one)) for one in map(at, times)]
-        self.motion.phases.append(Phase(now.mode, now.direction, start, end, samples))
+        body, zero = self.body, arb(0)
+        if body.resists:
+            forces = partial(resisted_forces, body, now)
+        elif forces is None:
+            forces = lambda _: (zero, zero)  # noqa: E731
+        samples = [(one, forces(one)) for one in map(at, times)]
+        lost = zero if resisted is None else resisted
+        self.motion.phases.append(
+            Phase(now.mode, now.direction, start, end, samples, now.rotation, lost)
+        )
 
     def _event(
         self,
@@ -187,7 +219,14 @@ class Walk:
         """Add an event, and return what follows it."""
         evidence = (hit.evidence if hit is not None else {}) | following.evidence
         event = Event(
-            cause, before or at, at, following.mode or None, following.direction, evidence, hit
+            cause,
+            before or at,
+            at,
+            following.mode or None,
+            following.direction,
+            evidence,
+            hit,
+            following.rotation,
         )
         self.motion.events.append(event)
         return at, following
@@ -240,6 +279,59 @@ class Walk:
         following = self._decide(end)
         return self._event("stick" if following.mode == "rolling" else "reversal", end, following)
 
+    def _turn(self, state: State, now: Next) -> tuple[State, Next]:
+        """Follow rolling or a slide with resistance, up to where θ′ vanishes."""
+        body, sigma, rotation = self.body, now.direction, now.rotation
+        rolls = now.mode == "rolling"
+        phase = (
+            ResistedRoll(body, state, rotation)
+            if rolls
+            else Slide(body, state, sigma, now.order, rotation)
+        )
+        found = self._follow(state.time, phase.pieces())
+        end = found.end
+        if found.guard == SLIP:
+            end = end.at_rest()
+        elif not found.guard:
+            end = replace(end, rate=arb(0))
+        resisted = (
+            body.energy(state) - body.energy(end)
+            if rolls
+            else resisted_by_slide(body, state, end, found, rotation)
+        )
+        self._phase(now, state, end, partial(found.at, state.time), resisted=resisted)
+        if found.guard == TIME:
+            self._end(TIME, end)
+            return end, now
+        if not found.guard:
+            self.half_swings += rolls and state.rate.is_zero()
+            return self._event(TURNING_POINT, end, self._decide(end, after=now))
+        if rolls:
+            side = SIDES[found.guard]
+            return self._event("slip", end, decide_resisted(body, end, -side, held=Held.by(now)))
+        return self._end_of_slide(end, now, found.guard)
+
+    def _skid(self, state: State, now: Next) -> tuple[State, Next]:
+        skid = Skid(self.body, state, now.direction)
+        end, until = skid.stop(), self.until
+        if until is not None and (
+            end is None or sign(until - end.time, "the time limit, less the end of a skid") < 0
+        ):
+            self._phase(now, state, skid.at(until), skid.at)
+            self._end(TIME, skid.at(until))
+            return skid.at(until), now
+        if end is None:
+            raise Beyond("a skid never ends")
+        self._phase(now, state, end, skid.at)
+        return self._end_of_slip(end, now)
+
+    def _rest(self, state: State, now: Next) -> tuple[State, Next]:
+        motion = self.motion
+        self._phase(now, state, None, lambda time: replace(state, time=time))
+        motion.half_swings = self.half_swings
+        self._end("rests", state)
+        return state, now
+
     def _slide(self, state: State, now: Next) -> tuple[State, Next]:
         body, sigma = self.body, now.direction
         found = self._follow(state.time, Slide(body, state, sigma, now.order).pieces())
@@ -251,19 +343,27 @@ class Walk:
         if found.guard == TIME:
             self._end(TIME, end)
             return end, now
-        if found.guard == SOLVABLE:
-            raise Beyond("the slide runs into P = 0, where its force is unbounded")
-        if found.guard == CONTACT:
-            opens = -body.h * end.theta.sin() * end.rate**3
+        return self._end_of_slide(end, now, found.guard)
+
+    def _end_of_slide(self, end: State, now: Next, guard: str) -> tuple[State, Next]:
+        """Decide what follows a slide, where one of its guards vanishes."""
+        if guard == SOLVABLE:
+            raise Beyond(Slide.singular)
+        if guard == CONTACT:
+            opens = -self.body.h * end.theta.sin() * end.rate**3
             if not opens > 0:
                 raise Undecided("whether the gap opens is not decided")
             return self._event(
                 "lift_off", end, Next("flight", 0, {"gap_third_derivative": opens}, 3)
             )
-        following = decide(body, end)
+        return self._end_of_slip(end, now)
+
+    def _end_of_slip(self, end: State, now: Next) -> tuple[State, Next]:
+        """Decide what follows where slip has ended."""
+        following = self._decide(end, after=now)
         if following.mode == "flight":
             raise Undecided("a slide comes to rest where the plane does not hold the rim")
-        return self._event("reversal" if following.mode == "sliding" else "stick", end, following)
+        return self._event("reversal" if following.direction else "stick", end, following)
 
     def _fly(self, state: State, now: Next) -> tuple[State, Next]:
         flight, e = Flight(self.body, state, now.order), self.restitution
@@ -282,11 +382,16 @@ class Walk:
         return self._event("landing", landing, Next("", 0, {"gap_rate": landing.gap_rate}))
 
     def _hit(self, cause: str, before: State, restitution: Ball) -> tuple[State, Next]:
-        hit = impact(self.body, before, restitution, self.law)
+        body, held = self.body, None
+        if body.resists:
+            hit, held = impact_resisted(body, before, restitution, self.law)
+        else:
+            hit = impact(body, before, restitution, self.law)
         after = hit.after
         self.bouncing = None
         if after.gap_rate.is_zero():
-            return self._event(cause, after, decide(self.body, after), before, hit)
+            now = decide(body, after) if held is None else decide_resisted(body, after, held=held)
+            return self._event(cause, after, now, before, hit)
         if not after.gap_rate > 0:
             raise Undecided("whether the gap opens after an impact is not decided")
         found = self._event(
@@ -314,9 +419,12 @@ class Walk:
         if self.until is not None and not landing.time < self.until:
             raise Undecided("time is up while bounces accumulate")
         unit = flight.unit(landing)
-        hit = impact(body, unit or landing, e, self.law)
-        if unit is not None:
-            hit = hit.times(state.gap_rate, state.rate)
+        if body.resists:
+            hit = impact_of_bounce(body, state, unit, landing, e, self.law)
+        else:
+            hit = impact(body, unit or landing, e, self.law)
+            if unit is not None:
+                hit = hit.times(state.gap_rate, state.rate)
         bouncing.normal += hit.normal
         bouncing.friction += hit.friction
         if not hit.after.gap_rate > 0:
@@ -328,7 +436,8 @@ class Walk:
         if self.until is not None and not end.time < self.until:
             raise Undecided("whether bounces settle before the time limit is not decided")
         self.bouncing = None
-        following = decide(body, end)
+        arrived = Next("", 1, {}, rotation=1)
+        following = self._decide(end, after=arrived)
         lost = body.energy(bouncing.before) - body.energy(end)
         normal, friction = bouncing.normal + rest.normal, bouncing.friction + rest.friction
         hit = Impact("sticks" if rest.sticks else "slides", normal, friction, lost, end, {})

@@ -26,6 +26,8 @@ class Piece:
     guards: dict[str, Model]
     state: Callable[[Ball], State]
     """The state, from the parameter."""
+    swept: Model | None = None
+    """In a slide with rolling resistance, ∫ cos θ θ′² |dθ|, from the parameter."""
 
 
 @dataclass

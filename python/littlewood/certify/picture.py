@@ -16,7 +16,7 @@ from .._internal.extras import require
 from ..plot.canvas import PictureError, look, pi_ticks, sheet, sign
 from ..style import FAINT, HATCH, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
 from ..tables import CAUSE_LABELS, MODES, SAMPLE_COLUMNS
-from .checker import CONTACT, DOWN, GAP, NORMAL, SLIP, SOLVABLE, UP
+from .checker import CONTACT, DOWN, GAP, NORMAL, SLIP, SOLVABLE, TURNING, UP
 from .stretch import Box, ProofLike, Stretch, quantity_of
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ _GRIP = f"{sign('mu_s')}(1 + cos {sign('theta')})"
 _GUARDS = {
     False: {
         SLIP: f"|{sign('slip')}|",
+        TURNING: f"|{sign('theta_rate')}|",
         CONTACT: "w",
         SOLVABLE: "P",
         UP: f"{sign('mu_s')}{sign('normal')} − {sign('friction')}",

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import checker, picture
-from .checker import SLIP, FlightStep, Followed, Given, Guard, Range
+from .checker import SLIP, TURNING, FlightStep, Followed, Given, Guard, Range
 from .stretch import Box, Instant, Stretch, quantity_of
 
 if TYPE_CHECKING:
@@ -159,7 +159,8 @@ def _enclosed(
     # What is not enclosed above 0 is monotone.
     ends = [between] if checker.exceeds(between, 0) else [guard.value(low), guard.value(high)]
     values = [float(end) for one in ends for end in one.ends()]
-    order, unit, more = (step.phase.order if name == SLIP and step.tau.is_zero() else 0), 1.0, 0.0
+    orders = {SLIP: step.phase.order, TURNING: step.phase.turning_order}
+    order, unit, more = orders.get(name, 0) if step.tau.is_zero() else 0, 1.0, 0.0
     if isinstance(step, FlightStep):
         order, unit = step.order, float(step.length)
         # A leap encloses a lower bound of the gap, which leaves h (1 − cos θ) out.

@@ -29,7 +29,7 @@ class Roll(Slide):
     """Rolling from a state, followed until it repeats itself."""
 
     def __init__(self, body: Body, start: State) -> None:
-        self.body, self.start, self.order = body, start, 0
+        self.body, self.start, self.order, self.rotation = body, start, 0, 0
         self.turns: list[Ball] = []
         """Times from the start at which θ′ vanishes."""
         self.period: Ball | None = None

@@ -14,13 +14,16 @@ that sticks, the slip of the flight before has the sign of −h sin θ θ′², 
 With e = 1 it is friction that takes: an impact that ends the slip of its flight, as the contact
 sticks, makes of the rate V and the slip −h sin θ θ′² T, both proportional to v, a rate that is
 proportional to v, too. The impact for v = 1, with balls for V and T, has that factor for q.
+
+With rolling resistance the sign of θ′ must stay, and k1 > k2 is a condition; where θ′ is held at 0,
+rates fall by e exactly.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from .balls import Ball, arb, flint
+from .balls import Ball, arb, flint, sign
 from .body import Body, State
 from .impact import impact
 
@@ -44,10 +47,16 @@ def rest_of_bounces(body: Body, start: State, restitution: Ball, law: str) -> Re
     """
     if not start.gap_rate < arb(2) ** -(100 + flint.ctx.prec // 4):
         return None
+    if body.resists and start.rate.is_zero():
+        return _held(body, start, restitution)
     v = start.gap_rate.upper()
     spread = v * 2**16
     for _ in range(40):
-        found = _within(body, start, restitution, law, v, spread)
+        found = (
+            _turning(body, start, restitution, v, spread)
+            if body.resists
+            else _within(body, start, restitution, law, v, spread)
+        )
         if found is not None:
             return found
         spread = spread * 4
@@ -121,3 +130,94 @@ def _within(body: Body, start: State, e: Ball, law: str, v: Ball, spread: Ball) 
         gap_rate=arb(0),
     )
     return Rest(end, normal / 2 + one * normal / 2, one * friction, start.slip.is_zero())
+
+
+def _held(body: Body, start: State, e: Ball) -> Rest | None:
+    """Enclose bounces without rotation, which rolling resistance holds: a geometric series.
+
+    In the air nothing turns, so that rates fall by e, and each impact has the impulse m (1 + e) v.
+    """
+    sigma = sign(start.slip, "the slip velocity of bounces")
+    couple = abs(body.q(start.theta.sin(), start.theta.cos(), sigma))
+    if not (e < 1 and couple < body.chi):
+        return None
+    v = start.gap_rate
+    time = 2 * v / (body.down * (1 - e))
+    normal = body.mass * (1 + e) * v / (1 - e)
+    friction = -body.mu_k * sigma * normal
+    slip = start.slip
+    if sigma:
+        slip = slip + friction / body.mass
+        if not slip * sigma > 0:
+            return None
+    far = arb(0, 1) * (abs(start.slip) * time).upper()
+    end = replace(
+        start,
+        time=start.time + time,
+        slip=slip,
+        x=start.x + far,
+        gap=arb(0),
+        gap_rate=arb(0),
+    )
+    return Rest(end, normal, friction, sigma == 0)
+
+
+def _turning(body: Body, start: State, e: Ball, v: Ball, spread: Ball) -> Rest | None:
+    """Enclose bounces with rolling resistance while θ′ keeps its sign, as without it."""
+    one, m, chi = arb(0, 1), body.mass, body.chi
+    theta, rate = start.theta + one * spread, start.rate + one * spread
+    pull = body.contact(theta, rate)
+    if not (pull > 0 and (rate > 0 or rate < 0)):
+        return None
+    least, largest = pull.lower(), pull.upper()
+    ratio = (e * (largest / least).sqrt()).upper()
+    if not ratio < 1:
+        return None
+    rotation = 1 if rate > 0 else -1
+    sin, cos = theta.sin(), theta.cos()
+    arm, lever = body.h * sin, 1 + body.h * cos
+    drift = (arm * rate * rate).abs_upper()
+    time = (2 * v / (least * (1 - ratio))).upper()
+    closing = (v * (largest / least).sqrt() / (1 - ratio)).upper()
+    sticks = start.slip.is_zero()
+    if sticks and not (arm > 0 or arm < 0):
+        return None
+    # A flight slips against the arm.
+    sigma = (-1 if arm > 0 else 1) if sticks else sign(start.slip, "the slip velocity of bounces")
+    q = body.q(sin, cos, sigma, rotation)
+    press = k1 = 1 / m + arm * q / body.inertia
+    hold = body.mu_k
+    if sticks:
+        j = body.inertia + m * lever * lever
+        press = 1 / m + arm * (arm - chi * rotation) / j
+        hold = body.mu_s
+        slowing = body.mu_k / m - sigma * lever * q / body.inertia
+        back = v * (least / largest).sqrt()
+        if not (
+            abs(m * lever * (arm - chi * rotation)) < body.mu_s * j
+            and k1 > press
+            and slowing > 0
+            and drift * 2 * v / least * k1 < (1 + e) * back * slowing
+        ):
+            return None
+    if not press > 0:
+        return None
+    normal = ((1 + e) * closing / press).upper()
+    friction = (hold * normal).upper()
+    spin = ((abs(arm) * normal + abs(lever) * friction + chi * normal) / body.inertia).upper()
+    turn = (rate.abs_upper() * time).upper()
+    change = (friction / m + abs(lever) * spin + drift * time).upper()
+    if not (turn < spread and spin < spread and (sticks or abs(start.slip) > change)):
+        return None
+    speed = (rate.abs_upper() + abs(start.slip).upper() + change).upper()
+    end = replace(
+        start,
+        time=start.time + time / 2 + one * time / 2,
+        theta=start.theta + one * turn,
+        rate=start.rate + one * spin,
+        slip=arb(0) if sticks else start.slip + one * change,
+        x=start.x + one * speed * time,
+        gap=arb(0),
+        gap_rate=arb(0),
+    )
+    return Rest(end, normal / 2 + one * normal / 2, one * friction, sticks)

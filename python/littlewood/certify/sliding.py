@@ -11,9 +11,10 @@ integrals.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from .balls import Ball, Undecided, arb, arb_series, discs, flint, sign
-from .body import Body, State
+from .body import Body, State, Value
 from .model import Model, first_crossing, polynomial, sine_and_cosine
 from .phase import Piece
 
@@ -21,10 +22,16 @@ SLIP, CONTACT, SOLVABLE = "slip", "contact", "solvability"
 
 
 class Slide:
-    """A slide from a state in a direction; the slip begins with a zero of this order."""
+    """A slide from a state in a direction; the slip begins with a zero of this order.
 
-    def __init__(self, body: Body, start: State, sigma: int, order: int) -> None:
+    With rolling resistance it turns in one direction, `rotation`, and ends where θ′ vanishes.
+    """
+
+    singular = "the slide runs into P = 0, where its force is unbounded"
+
+    def __init__(self, body: Body, start: State, sigma: int, order: int, rotation: int = 0) -> None:
         self.body, self.start, self.sigma, self.order = body, start, sigma, order
+        self.rotation = rotation
         self.friction = body.mu_k * sigma
         self.drag = self.friction * body.down + body.back
         sin, cos = start.theta.sin(), start.theta.cos()
@@ -63,6 +70,10 @@ class Slide:
                     made = None
                 if made is not None:
                     piece, theta, u, elapsed = made
+                    if self.rotation:
+                        # What follows beyond it has another equation.
+                        yield replace(piece, high=arb(0))
+                        return
                     yield piece
                     direction = -direction
                     continue
@@ -72,37 +83,42 @@ class Slide:
             yield piece
             order = 0
 
+    def _equation(self, sin: Value, cos: Value) -> tuple[Value, Value, Value]:
+        """Return f, g and p of du/dθ = 2 m (f + g u)/p."""
+        body = self.body
+        q = body.q(sin, cos, self.sigma, self.rotation)
+        return q * body.down, q * cos * -body.h, self._solvability(sin, cos)
+
+    def _solvability(self, sin: Value, cos: Value) -> Value:
+        return self.body.solvability(sin, cos, self.sigma, self.rotation)
+
     def _leaves(self, sin: Ball, cos: Ball) -> Ball:
         """Return a number that has the sign of θ″ at rest."""
-        return self.body.q(sin, cos, self.sigma) * self.body.solvability(sin, cos, self.sigma)
+        f, _, p = self._equation(sin, cos)
+        return f * p
 
     def _arm(self, sin: Ball, cos: Ball) -> Ball:
         return 1 + self.body.h * cos + self.friction * self.body.h * sin
 
     def _family(self, theta: Ball, u: Ball, direction: int) -> Model:
         """Return u(θ + direction s) with this value at s = 0."""
-        body, n = self.body, flint.ctx.cap
+        n, twice = flint.ctx.cap, 2 * self.body.mass
         angle = arb_series([theta, direction], n)
-        sin, cos = angle.sin(), angle.cos()
-        p = body.solvability(sin, cos, self.sigma)
-        a = body.q(sin, cos, self.sigma) * (2 * body.mass * direction) / p
-        b = a * cos * body.h
-        factor = (-b.integral()).exp()
-        series = factor * (u + (a * body.down / factor).integral())
+        f, g, p = self._equation(angle.sin(), angle.cos())
+        factor = (g * (twice * direction) / p).integral().exp()
+        series = factor * (u + (f * (twice * direction) / p / factor).integral())
         for radius, around in discs(theta, arb(1)):
-            near = body.solvability(around.sin(), around.cos(), self.sigma)
-            least = abs(near).lower()
+            f, g, p = self._equation(around.sin(), around.cos())
+            least = abs(p).lower()
             if least > 0:
-                size = (
-                    2 * body.mass * abs(body.q(around.sin(), around.cos(), self.sigma))
-                ).abs_upper() / least
-                growth = size * (body.h * abs(around.cos())).abs_upper() * radius
+                size = (twice * abs(f)).abs_upper() / least
+                growth = (twice * abs(g)).abs_upper() / least * radius
                 if growth < 12:
                     bound = (u.abs_upper() + size * radius) * growth.exp()
                     return Model(
                         arb_series([series[k] for k in range(n)], n), arb(bound.abs_upper()), radius
                     )
-        raise Undecided("the slide runs into P = 0, where its force is unbounded")
+        raise Undecided(self.singular)
 
     @staticmethod
     def _free_of_zeros(family: Model, first: Ball) -> tuple[Ball, Ball, Ball]:
@@ -146,7 +162,9 @@ class Slide:
         def state(at: Ball) -> State:
             return self._state(theta + direction * at, rate.value(at, at), time.value(at, at))
 
-        piece = Piece(arb(0), high, time, self._guards(sin, cos, u, rate, time, order), state)
+        swept = (cos * u).integral(arb(0)) if self.rotation else None
+        guards = self._guards(sin, cos, u, rate, time, order)
+        piece = Piece(arb(0), high, time, guards, state, swept)
         return piece, theta + direction * high, u.value(high, high), time.value(high, high)
 
     def _turning(
@@ -177,7 +195,11 @@ class Slide:
             return self._state(theta - direction * at * at, rate.value(at, at), time.value(at, at))
 
         high = (radius / 4).mid()
-        piece = Piece(low, high, time, self._guards(sin, cos, u, rate, time, order), state)
+        # |dθ| = 2 |ξ| dξ: with resistance a piece ends or begins where ξ = 0.
+        outward = 1 if distance.is_zero() else -1
+        swept = (cos * u * xi * (2 * outward)).integral(arb(0)) if self.rotation else None
+        guards = self._guards(sin, cos, u, rate, time, order)
+        piece = Piece(low, high, time, guards, state, swept)
         return piece, theta - direction * high * high, u.value(high, high), time.value(high, high)
 
     def _guards(
@@ -189,7 +211,7 @@ class Slide:
         return {
             SLIP: slip.without_zero(order),
             CONTACT: body.down - cos * u * body.h,
-            SOLVABLE: body.solvability(sin, cos, self.sigma),
+            SOLVABLE: self._solvability(sin, cos),
         }
 
     def _state(self, theta: Ball, rate: Ball, elapsed: Ball) -> State:

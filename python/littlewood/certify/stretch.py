@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple, Protocol
 
-from .checker import DOWN, GAP, SLIP, UP
+from .checker import DOWN, GAP, SLIP, TURNING, UP
 
 
 class Box(NamedTuple):
@@ -63,7 +63,13 @@ class ProofLike(Protocol):
     def intervals(self) -> int: ...  # noqa: D102
 
 
-QUANTITY_OF = {SLIP: "slip", GAP: "gap", UP: "normal", DOWN: "normal"}
+QUANTITY_OF = {
+    SLIP: "slip",
+    TURNING: "theta_rate",
+    GAP: "gap",
+    UP: "normal",
+    DOWN: "normal",
+}
 """The quantities that have the units of guards.
 
 Other guards have none, nor have those of friction without mass.

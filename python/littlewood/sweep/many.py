@@ -39,6 +39,7 @@ class Quantities(TypedDict, total=False):
     mu_s: Any
     mu_k: Any
     mu: Any
+    rolling_resistance: Any
     slope: Any
     restitution: Any
 
@@ -74,9 +75,11 @@ def simulate_many(
         Slip velocity η′, √(gR); 0 by default.
     gap_rate : array_like, optional
         Rate at which the gap under the rim opens, √(gR); 0 by default.
-    mass_ratio, offset, inertia, mu_s, mu_k, mu, slope, restitution : array_like, optional
-        Parameters of the hoop, as in :class:`Hoop`; `mu` is both coefficients of friction. Without
-        a coefficient of restitution motions end where the rim lands; NaN is not allowed.
+    mass_ratio, offset, inertia, slope, restitution : array_like, optional
+        Parameters of the hoop, as in :class:`Hoop`. Without a coefficient of restitution motions
+        end where the rim lands; NaN is not allowed.
+    mu_s, mu_k, mu, rolling_resistance : array_like, optional
+        Friction of the hoop, likewise; `mu` is both coefficients of friction.
     until : float, optional
         Time τ at which to stop, √(R/g). By default to the end of each motion.
     max_transitions : int, optional
@@ -105,9 +108,9 @@ def simulate_many(
         Of the common shape, with `outcome`, `sequence`, `transitions`, `painleve`, `end_time`,
         `end_theta`, `end_theta_rate`, `end_slip`, `end_x`, `energy`, `first_slip_time`,
         `lift_off_time`, `jump_length` and `jump_height` of the first flight, `landings`,
-        `impact_energy_lost` and `settle_time`, with their units and long names, and the
-        derivatives. Events that do not happen are NaN. Dimensions are those of the DataArrays; of
-        arrays `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of
+        `impact_energy_lost`, `settle_time` and `half_swings`, with their units and long names, and
+        the derivatives. Events that do not happen are NaN. Dimensions are those of the DataArrays;
+        of arrays `start`, or `dim_0`, `dim_1`, … The attribute `restitution_law` has the law of
         restitution, if there is one.
 
     Raises
@@ -172,8 +175,10 @@ def outcome_map(
     theta, theta_rate, slip, gap_rate : array_like, optional
         Axes of the start, of shape (n,), in the given order, or numbers. `theta` and `theta_rate`
         are required.
-    mass_ratio, offset, inertia, mu_s, mu_k, mu, slope, restitution : array_like, optional
-        Axes of the hoop, likewise; `mu` is both coefficients of friction.
+    mass_ratio, offset, inertia, slope, restitution : array_like, optional
+        Axes of the hoop, likewise.
+    mu_s, mu_k, mu, rolling_resistance : array_like, optional
+        Axes of its friction, likewise; `mu` is both coefficients of friction.
 
     Returns
     -------
@@ -214,8 +219,8 @@ def sequence_names(sequence: npt.ArrayLike) -> npt.NDArray[np.str_]:
     Returns
     -------
     ndarray of str
-        Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; … where there
-        are more than 15.
+        Of the same shape: R rolling; + and - sliding; g, n and G gliding; F flight; 0 rest; S and s
+        skidding; … where there are more than 15.
     """
     names = _core.sequence_names(flat(sequence, np.uint64))
     return np.array(names, dtype=np.str_).reshape(np.shape(sequence))

@@ -177,7 +177,11 @@ def check_hoop(values: Mapping[str, Any], law: str | None) -> str | None:
     """
     fixed = {name for name, value in values.items() if np.ndim(value) == 0 and not is_lazy(value)}
     # The parameters that are not looked at are those of a hoop that has a meaning.
-    harmless: dict[str, Any] = {name: 1.0 for name in HOOP if not QUANTITIES[name].is_optional}
+    harmless: dict[str, Any] = {
+        name: 1.0 if QUANTITIES[name].default is None else QUANTITIES[name].default
+        for name in HOOP
+        if not QUANTITIES[name].is_optional
+    }
     for related in ([name for name in names if name in values] for names in _RELATED):
         varying = [name for name in related if name not in fixed]
         if len(varying) > 1 or any(is_lazy(values[name]) for name in varying):

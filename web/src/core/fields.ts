@@ -82,6 +82,7 @@ const REMARKS: Partial<Record<Quantity, string>> = {
   inertia: 'A thin hoop has Izz = m₁R², a uniform disc half of that.',
   mu_s: 'The hoop rolls while |F| ≤ μₛN (2.13).',
   mu_k: 'While the contact point slips |F| = μₖN (2.15). Never above μₛ.',
+  rolling_resistance: 'The plane resists the rotation with a couple of up to χN.',
   restitution:
     '0: no rebound; 1: nothing is lost in restitution. Empty: the motion ends where the rim lands.',
   theta: 'Positive counterclockwise.',

@@ -59,6 +59,7 @@ export const ENERGY_PARTS = [
   'potential',
   'kinetic',
   'lost_to_friction',
+  'lost_to_rolling_resistance',
   'lost_in_impacts',
 ] as const;
 export type EnergyPart = (typeof ENERGY_PARTS)[number];
@@ -98,6 +99,8 @@ export const PALETTES = {
       sliding: '#bf5300',
       gliding: '#c66d9e',
       flight: '#2e9dd4',
+      rest: '#300000',
+      skidding: '#300c8a',
     },
     class: {
       leaves_at_once: '#8182a1',
@@ -113,6 +116,7 @@ export const PALETTES = {
       unresolved: '#a8a8a8',
       invalid: '#f0f0f0',
       not_computed: '#ffffff',
+      rests: '#d6eac7',
     },
     arrow: {
       normal_force: '#006d4e',
@@ -139,6 +143,7 @@ export const PALETTES = {
       potential: '#693c99',
       kinetic: '#08828e',
       lost_to_friction: '#9a1b6a',
+      lost_to_rolling_resistance: '#b08163',
       lost_in_impacts: '#d7263d',
     },
     accent: {
@@ -165,7 +170,9 @@ export const PALETTES = {
       rolling: '#018de9',
       sliding: '#fb9d52',
       gliding: '#ec98d6',
-      flight: '#a2ebfe',
+      flight: '#95e1fa',
+      rest: '#fcfcc0',
+      skidding: '#7d3fdc',
     },
     class: {
       leaves_at_once: '#898099',
@@ -181,6 +188,7 @@ export const PALETTES = {
       unresolved: '#5d5e61',
       invalid: '#202124',
       not_computed: '#14171d',
+      rests: '#163018',
     },
     arrow: {
       normal_force: '#4fd1a1',
@@ -207,6 +215,7 @@ export const PALETTES = {
       potential: '#9a7fd1',
       kinetic: '#35aab5',
       lost_to_friction: '#fe79b7',
+      lost_to_rolling_resistance: '#dcc0ae',
       lost_in_impacts: '#ff4d4d',
     },
     accent: {
@@ -225,6 +234,8 @@ export const MODE_DASHES = {
   sliding: [5.0, 2.5],
   gliding: [6.0, 2.0, 1.0, 2.0],
   flight: [1.0, 1.8],
+  rest: [6.0, 2.0, 1.0, 2.0, 1.0, 2.0],
+  skidding: [2.5, 1.8],
 } as const satisfies Record<Mode, readonly number[]>;
 
 export interface LineRow {
@@ -266,5 +277,6 @@ export const ENERGY_LABELS = {
   potential: 'potential',
   kinetic: 'kinetic',
   lost_to_friction: 'lost to friction',
+  lost_to_rolling_resistance: 'lost to rolling resistance',
   lost_in_impacts: 'lost in impacts',
 } as const satisfies Record<EnergyPart, string>;

@@ -28,6 +28,8 @@ export const QUANTITIES = [
   'gap_rate',
   'gap_rate_m_per_s',
   'slope',
+  'rolling_resistance',
+  'rolling_resistance_m',
 ] as const;
 export type Quantity = (typeof QUANTITIES)[number];
 
@@ -86,6 +88,8 @@ export const QUANTITY_ROWS = {
   gap_rate: { group: 'start', system: 'dimensionless', twin: 'gap_rate_m_per_s', sign: 'gap′', unit: '√(gR)', longName: 'rate at which the gap under the rim opens', otherwise: 0, usual: [0, 3] },
   gap_rate_m_per_s: { group: 'start', system: 'si', twin: 'gap_rate', sign: 'd gap/dt', unit: 'm/s', longName: 'rate at which the gap under the rim opens', otherwise: 0, usual: [0, 5] },
   slope: { group: 'hoop', system: 'dimensionless', twin: null, sign: 'α', unit: 'rad', longName: 'angle by which the plane rises to the right', otherwise: 0, usual: [-1, 1] },
+  rolling_resistance: { group: 'hoop', system: 'dimensionless', twin: 'rolling_resistance_m', sign: 'χ', unit: '', longName: 'coefficient of rolling resistance over the radius', otherwise: 0, usual: [0, 0.2] },
+  rolling_resistance_m: { group: 'hoop', system: 'si', twin: 'rolling_resistance', sign: 'χ', unit: 'm', longName: 'coefficient of rolling resistance', otherwise: 0, usual: [0, 0.1] },
 } as const satisfies Record<Quantity, QuantityRow>;
 
 /** The numbers of a problem without dimension, in the order in which the core takes them. */
@@ -95,6 +99,7 @@ export const DIMENSIONLESS = [
   'inertia',
   'mu_s',
   'mu_k',
+  'rolling_resistance',
   'slope',
   'theta',
   'theta_rate',
@@ -115,6 +120,7 @@ export const SI = [
   'gravity_m_per_s2',
   'mu_s',
   'mu_k',
+  'rolling_resistance_m',
   'slope',
   'theta',
   'theta_rate_rad_per_s',
@@ -160,7 +166,7 @@ export interface ColumnRow {
 export const COLUMN_ROWS = {
   time: { longName: 'time', signs: { dimensionless: 'τ', si: 't' }, units: { dimensionless: '√(R/g)', si: 's' } },
   mode: { longName: 'mode of motion', signs: { dimensionless: '', si: '' }, units: { dimensionless: '', si: '' } },
-  direction: { longName: 'sign of the slip velocity; 0 for rolling and flight', signs: { dimensionless: 'σ', si: 'σ' }, units: { dimensionless: '', si: '' } },
+  direction: { longName: 'sign of the slip velocity; 0 for rolling, rest and flight', signs: { dimensionless: 'σ', si: 'σ' }, units: { dimensionless: '', si: '' } },
   theta: { longName: 'angle of the particle from the upward vertical', signs: { dimensionless: 'θ', si: 'θ' }, units: { dimensionless: '', si: 'rad' } },
   theta_rate: { longName: 'rate of the angle', signs: { dimensionless: 'θ′', si: 'dθ/dt' }, units: { dimensionless: '√(g/R)', si: 'rad/s' } },
   slip: { longName: 'slip velocity of the contact point', signs: { dimensionless: 'η′', si: 'dη/dt' }, units: { dimensionless: '√(gR)', si: 'm/s' } },
@@ -195,6 +201,8 @@ export const MODES = [
   'sliding',
   'gliding',
   'flight',
+  'rest',
+  'skidding',
 ] as const;
 export type Mode = (typeof MODES)[number];
 
@@ -213,6 +221,7 @@ export const CAUSES = [
   'singularity',
   'settle',
   'jam',
+  'turning_point',
 ] as const;
 export type Cause = (typeof CAUSES)[number];
 
@@ -231,6 +240,7 @@ export const CAUSE_LABELS = {
   singularity: 'P = 0',
   settle: 'settles',
   jam: 'jam',
+  turning_point: 'turning point',
 } as const satisfies Record<Cause, string>;
 
 /** How a motion ends. */
@@ -251,6 +261,7 @@ export const OUTCOMES = [
   'slips_forever',
   'repeats_forever',
   'stays_in_contact',
+  'rests',
   'not_computed',
   'invalid',
 ] as const;
@@ -282,6 +293,7 @@ export const OUTCOME_ROWS = {
   slips_forever: { label: 'slips for ever', forever: false, lastEvent: null },
   repeats_forever: { label: 'repeats for ever', forever: false, lastEvent: null },
   stays_in_contact: { label: 'stays in contact', forever: false, lastEvent: null },
+  rests: { label: 'rests', forever: true, lastEvent: null },
   not_computed: { label: 'not computed', forever: false, lastEvent: null },
   invalid: { label: 'invalid parameters', forever: false, lastEvent: null },
 } as const satisfies Record<OutcomeKind, OutcomeRow>;
@@ -301,6 +313,7 @@ export const CLASSES = [
   'unresolved',
   'invalid',
   'not_computed',
+  'rests',
 ] as const;
 export type Class = (typeof CLASSES)[number];
 
@@ -319,6 +332,7 @@ export const CLASS_LABELS = {
   unresolved: 'unresolved',
   invalid: 'invalid parameters',
   not_computed: 'not computed',
+  rests: 'rests',
 } as const satisfies Record<Class, string>;
 
 /** Laws of restitution. The first is that of a coefficient alone. */
@@ -412,4 +426,4 @@ export const VIEW_FIRST = {
 } as const satisfies Record<ViewKey, string>;
 
 /** What a core of the same version says of the order of names. */
-export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k slope theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k slope theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight; leaves_at_once lifts_off_later rolls_forever repeats_forever slips_forever in_contact particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed';
+export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k rolling_resistance slope theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k rolling_resistance_m slope theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight rest skidding; leaves_at_once lifts_off_later rolls_forever repeats_forever slips_forever in_contact particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed rests';

@@ -1,7 +1,7 @@
 // The hoops of the story, their motions, and their links into the laboratory.
 
 import type { Values } from '../core/fields';
-import { inOrder } from '../core/fields';
+import { inOrder, numbersOf, valuesOf } from '../core/fields';
 import { Motion, type Sample } from '../core/motion';
 import { Plane, Problem } from '../core/wasm';
 import type { DimensionlessNumber, Law } from '../generated/tables';
@@ -17,18 +17,10 @@ export interface Run {
 }
 
 const STILL: Hoop = {
-  mass_ratio: 0,
+  ...valuesOf('dimensionless', new Float64Array(numbersOf('dimensionless').length)),
   offset: 1,
-  inertia: 0,
   mu_s: 0.5,
   mu_k: 0.4,
-  slope: 0,
-  theta: 0,
-  theta_rate: 0,
-  slip: 0,
-  gap_rate: 0,
-  x: 0,
-  time: 0,
 };
 
 /** A hoop without mass that carries a weight on its rim: Littlewood's. With other numbers, another one. */

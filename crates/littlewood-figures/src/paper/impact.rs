@@ -1,6 +1,6 @@
 //! Routh's diagram of an impact: its course in the plane of the impulses J and P.
 
-use littlewood::impact::{Compliance, Impact, ImpactCase};
+use littlewood::impact::{Compliance, Impact, ImpactCase, ImpactVertex};
 use littlewood::tables::Dimension;
 use littlewood::theory::Window;
 use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, State, Transition};
@@ -35,17 +35,15 @@ struct Diagram {
     compliance: Compliance,
     /// Where the course bends, with its ends.
     course: Vec<[f64; 2]>,
+    greatest_compression: Option<[f64; 2]>,
     window: Window,
 }
 
 impl Diagram {
     fn new(hoop: Hoop, restitution: Restitution, theta: f64, impact: Impact) -> Option<Self> {
         let compliance = hoop.compliance(theta)?;
-        let course: Vec<[f64; 2]> = hoop
-            .impact_course(theta, &impact)
-            .iter()
-            .map(|impulse| [impulse.friction, impulse.normal])
-            .collect();
+        let vertices = hoop.impact_course(theta, &impact);
+        let course: Vec<[f64; 2]> = vertices.iter().map(point).collect();
         let top = MARGIN * impact.impulse.normal;
         let side = course
             .iter()
@@ -60,6 +58,7 @@ impl Diagram {
             impact,
             compliance,
             course,
+            greatest_compression: greatest_compression(&vertices),
             window: Window {
                 x: [-side, side],
                 y: [0.0, top],
@@ -67,8 +66,11 @@ impl Diagram {
         })
     }
 
-    /// The straight lines, each with its style.
-    fn lines(&self) -> [(ImpulseLine, Line); 3] {
+    /// The straight lines, each with its style. With rolling resistance the couple bends them.
+    fn lines(&self) -> Vec<(ImpulseLine, Line)> {
+        if self.hoop.rolling_resistance() > 0.0 {
+            return Vec::new();
+        }
         let Compliance { a, b, c, .. } = self.compliance;
         let before = self.impact.before;
         let line = |friction, normal, constant| Line {
@@ -82,7 +84,7 @@ impl Diagram {
             }
             RestitutionLaw::Poisson => line(0.0, 1.0, -self.impact.impulse.normal),
         };
-        [
+        vec![
             (ImpulseLine::Sticking, line(a, b, before.slip)),
             (ImpulseLine::Compression, line(b, c, before.gap_rate)),
             (ImpulseLine::Termination, end),
@@ -120,19 +122,6 @@ impl Diagram {
             .collect()
     }
 
-    /// Where w = 0 on the course, after the start.
-    fn greatest_compression(&self) -> Option<[f64; 2]> {
-        let Compliance { b, c, .. } = self.compliance;
-        let gap_rate =
-            |[friction, normal]: [f64; 2]| self.impact.before.gap_rate + b * friction + c * normal;
-        self.course.windows(2).find_map(|ends| {
-            let (from, to) = (gap_rate(ends[0]), gap_rate(ends[1]));
-            let share = from / (from - to);
-            (from < 0.0 && to >= 0.0)
-                .then(|| [0, 1].map(|i| ends[0][i] + share * (ends[1][i] - ends[0][i])))
-        })
-    }
-
     fn layers(&self) -> Vec<Layer> {
         let drawn = |line: ImpulseLine, points: &[[f64; 2]]| {
             Series::of_rows(line.name(), &COLUMNS, points.to_vec())
@@ -165,7 +154,7 @@ impl Diagram {
             layers.push(dot("slip ends", bend, Mark::Dot(INK, 3.4)));
         }
         layers.extend(
-            self.greatest_compression()
+            self.greatest_compression
                 .map(|at| dot("compressed most", at, Mark::Dot(INK, 3.4))),
         );
         layers.push(dot("start", [0.0, 0.0], START));
@@ -267,9 +256,14 @@ impl Diagram {
         let mut line = |line: ImpulseLine, words: &str| {
             keys.push((Stroke::of_impulse_line(line).into(), words.to_owned()));
         };
-        line(ImpulseLine::Sticking, "*u* = 0: without slip");
-        line(ImpulseLine::Compression, "*w* = 0: greatest compression");
-        line(ImpulseLine::Termination, self.termination());
+        for (style, _) in self.lines() {
+            match style {
+                ImpulseLine::Sticking => line(style, "*u* = 0: without slip"),
+                ImpulseLine::Compression => line(style, "*w* = 0: greatest compression"),
+                ImpulseLine::Termination => line(style, self.termination()),
+                ImpulseLine::StaticCone | ImpulseLine::KineticCone => {}
+            }
+        }
         for (cone, _) in self.cones() {
             line(
                 cone,
@@ -291,6 +285,21 @@ impl Diagram {
             RestitutionLaw::Newton => "end: *w* is −*e* times that before",
         }
     }
+}
+
+/// J and P.
+const fn point(vertex: &ImpactVertex) -> [f64; 2] {
+    [vertex.impulse.friction, vertex.impulse.normal]
+}
+
+/// Where w = 0 on the course, after the start.
+fn greatest_compression(course: &[ImpactVertex]) -> Option<[f64; 2]> {
+    course.windows(2).find_map(|ends| {
+        let [from, to] = [0, 1].map(|end| ends[end].velocities.gap_rate);
+        let share = from / (from - to);
+        let [a, b] = [0, 1].map(|end| point(&ends[end]));
+        (from < 0.0 && to >= 0.0).then(|| [0, 1].map(|i| a[i] + share * (b[i] - a[i])))
+    })
 }
 
 /// The ends of a line in the window.
@@ -383,10 +392,17 @@ fn caption(input: &FigureInput, state: State, impact: &Impact, compliance: Compl
         ),
         None => short(value),
     });
+    let laws = if input.hoop.rolling_resistance() > 0.0 {
+        ", with the slip velocity *u* and the rate *w* of the gap; a couple acts, too:".to_owned()
+    } else {
+        format!(
+            ", with the slip velocity *u* = *u*_{{0}} + *AJ* + *BP* and the rate of the gap *w* = *w*_{{0}} + \
+             *BJ* + *CP*. *A* = {a}, *B* = {b}, *C* = {c};"
+        )
+    };
     format!(
         "Impact {} of the motion, at {} = {}, *θ* = {}: {}. Its course in the plane of the impulses *J* along the plane and \
-         *P* upwards (Routh), with the slip velocity *u* = *u*_{{0}} + *AJ* + *BP* and the rate of the gap *w* = *w*_{{0}} + \
-         *BJ* + *CP*. *A* = {a}, *B* = {b}, *C* = {c}; *u* from {} to {}, *w* from {} to {}, *J* = {}, *P* = {}. Energy {}: {}. {}.",
+         *P* upwards (Routh){laws} *u* from {} to {}, *w* from {} to {}, *J* = {}, *P* = {}. Energy {}: {}. {}.",
         input.impact,
         say.time(),
         say.value(state.time, Dimension::Time),

@@ -363,7 +363,7 @@ pub(crate) fn particle(input: &FigureInput) -> Result<Figure, FigureError> {
     let keys = paths.entries(|mode| match mode {
         Mode::Rolling => format!("{mode}: a cycloid"),
         Mode::Gliding => format!("{mode}: a parabola"),
-        Mode::Sliding | Mode::Flight => mode.to_string(),
+        Mode::Sliding | Mode::Flight | Mode::Rest | Mode::Skidding => mode.to_string(),
     });
     picture.layers.extend(paths.lines(BOLD));
     let mut transitions = motion.transitions().iter();

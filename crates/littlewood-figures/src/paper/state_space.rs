@@ -89,7 +89,7 @@ fn letters(motion: &Shown) -> Vec<Label> {
         let (letter, share) = match phase.mode() {
             Mode::Sliding => ("*s*", 0.5),
             Mode::Rolling => ("*r*", 0.75),
-            Mode::Gliding | Mode::Flight => continue,
+            Mode::Gliding | Mode::Flight | Mode::Rest | Mode::Skidding => continue,
         };
         let duration = f64::min(phase.duration(), motion.until - phase.start().time);
         let middle = phase.sample(share * duration).state;
@@ -259,7 +259,9 @@ fn phase_plane(motion: &Shown) -> Content {
             let label = Label::new(mode.name(), &middle[1..3]);
             let label = match mode {
                 Mode::Rolling => label.shifted(-4.0, 14.0),
-                Mode::Sliding | Mode::Gliding | Mode::Flight => label.shifted(-10.0, -8.0).right(),
+                Mode::Sliding | Mode::Gliding | Mode::Flight | Mode::Rest | Mode::Skidding => {
+                    label.shifted(-10.0, -8.0).right()
+                }
             };
             labels.push(label.coloured(Stroke::of_mode(mode).colour));
         }

@@ -78,28 +78,34 @@ fn rounding(trajectory: &Trajectory) -> f64 {
 
 /// The energy lost, and to what.
 pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String> {
+    let hoop = trajectory.hoop();
     let lost = trajectory.energy_lost();
     let show = |energy| scale.show_with_unit(Dimension::Energy, energy);
-    if trajectory.hoop().restitution().is_none() {
+    if hoop.restitution().is_none() && hoop.rolling_resistance() == 0.0 {
         return (lost != 0.0).then(|| format!("{} lost to friction", show(lost)));
     }
     let in_impacts = trajectory.impact_energy_lost();
-    let in_sliding = lost - in_impacts;
+    let to_resistance = trajectory.rolling_resistance_energy_lost();
+    let in_sliding = lost - in_impacts - to_resistance;
     let part = |energy: f64, place: &str| {
         (energy.abs() > rounding(trajectory)).then(|| {
             let change = if energy > 0.0 { "lost" } else { "gained" };
-            format!("{} {change} in {place}", show(energy.abs()))
+            format!("{} {change} {place}", show(energy.abs()))
         })
     };
     let law = if in_impacts < 0.0 {
-        "impacts, as Newton's law allows"
+        "in impacts, as Newton's law allows"
     } else {
-        "impacts"
+        "in impacts"
     };
-    let parts: Vec<String> = part(in_sliding, "sliding")
-        .into_iter()
-        .chain(part(in_impacts, law))
-        .collect();
+    let parts: Vec<String> = [
+        (to_resistance, "to rolling resistance"),
+        (in_sliding, "in sliding"),
+        (in_impacts, law),
+    ]
+    .into_iter()
+    .filter_map(|(energy, place)| part(energy, place))
+    .collect();
     Some(if parts.is_empty() {
         "none lost".to_owned()
     } else {

@@ -126,7 +126,7 @@ fn hoop_lines(hoop: &Hoop, subject: &Subject<'_>) -> Vec<String> {
         let measures = Quantity::SI_HOOP
             .into_iter()
             .filter(|quantity| quantity.is_si())
-            .filter_map(|quantity| Some((quantity, si.get(quantity)?)));
+            .filter_map(|quantity| Some((quantity, si.said(quantity)?)));
         let second = Dimension::Time;
         let time = format!(
             "{} = {} {}",

@@ -124,7 +124,7 @@ impl SiRecord {
             )
         };
         Self {
-            hoop: numbers(Quantity::SI_HOOP, |quantity| si.get(quantity)).followed_by(law(&hoop)),
+            hoop: numbers(Quantity::SI_HOOP, |quantity| si.said(quantity)).followed_by(law(&hoop)),
             units: UNITS.into_iter().map(unit).collect(),
             details: Fields::of_si_details(units, details),
         }

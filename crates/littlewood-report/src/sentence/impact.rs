@@ -31,8 +31,13 @@ impl Struck<'_> {
             None => "no motion is consistent here",
             Some(_) => "the slide has reached P = 0",
         };
+        let ends = match (self.event.before.slip == 0.0, self.stops_slipping()) {
+            (true, _) => "stops the hoop",
+            (false, true) => "ends the slip",
+            (false, false) => "ends the rotation",
+        };
         format!(
-            "Jams: {why}, and the plane ends the slip in an impact without a collision (Painlevé){}.",
+            "Jams: {why}, and the plane {ends} in an impact without a collision (Painlevé){}.",
             self.end()
         )
     }
@@ -69,10 +74,18 @@ impl Struck<'_> {
             ImpactCase::ReversesInCompression | ImpactCase::ReversesInRestitution => {
                 "begins to slip while it is pressed to the plane"
             }
-            ImpactCase::Jams => {
+            ImpactCase::Jams if slips && self.stops_slipping() => {
                 "jams, and the plane presses on it until the slip has ended (Painlevé)"
             }
+            ImpactCase::Jams => {
+                "jams, and the plane presses on it until the rotation has ended (Painlevé)"
+            }
         }
+    }
+
+    /// Whether the rim does not slip on in its direction.
+    fn stops_slipping(&self) -> bool {
+        self.impact.before.slip * self.impact.after.slip <= 0.0
     }
 
     /// The part of the kinetic energy that is lost, or gained.
@@ -142,6 +155,8 @@ fn then(event: &Transition, scale: Scale<'_>) -> String {
         Some(Mode::Sliding) if event.after.slip == 0.0 => ", and it begins to slide".to_owned(),
         Some(Mode::Sliding) => format!(", and it slides {}", to_the(event.after.slip)),
         Some(Mode::Gliding) => ", and it glides".to_owned(),
+        Some(Mode::Rest) => ", and it rests".to_owned(),
+        Some(Mode::Skidding) => format!(", and it skids {}", to_the(event.after.slip)),
         None => String::new(),
     }
 }

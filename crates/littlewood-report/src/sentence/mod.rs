@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 
 use littlewood::modes::{PhaseSolution, Recurrence, SlideLimit, Undecided};
 use littlewood::tables::Dimension;
-use littlewood::theory::{Candidates, ContactForces, RollingLaw};
+use littlewood::theory::{Candidates, ContactForces, PhasePlane};
 use littlewood::{Cause, Hoop, Mode, Outcome, Phase, Sample, Trajectory, Transition};
 
 use crate::number::{brief, three};
@@ -26,8 +26,8 @@ const NO_ANSWER: &str = "Rigid bodies have no answer here (Painlevé's paradox)"
 /// The first phase, and why it begins.
 pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
     let state = trajectory.start();
-    let forces = RollingLaw::new(trajectory.hoop()).forces(state.theta, state.theta_rate);
-    let mu_s = trajectory.hoop().mu_s();
+    let hoop = trajectory.hoop();
+    let forces = PhasePlane::new(hoop).forces(state.theta, state.theta_rate);
     if trajectory
         .transitions()
         .first()
@@ -52,7 +52,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Mode::Sliding if state.slip != 0.0 => {
             format!("Slides: the contact point moves {}.", to_the(state.slip))
         }
-        Mode::Sliding => format!("Slips: {}.", gives_way(&forces, mu_s)),
+        Mode::Sliding => format!("Slips: {}.", gives_way(hoop, &forces)),
         Mode::Gliding if state.slip != 0.0 => {
             "Glides: a hoop without inertia feels no force from the plane while it slips."
                 .to_owned()
@@ -60,15 +60,16 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Mode::Gliding => {
             format!(
                 "Slips, and glides without any force from the plane: {}.",
-                gives_way(&forces, mu_s)
+                gives_way(hoop, &forces)
             )
         }
+        Mode::Rest => format!("Rests: {RESISTANCE_HOLDS}."),
+        Mode::Skidding => format!(
+            "Skids {}: it slips, and {RESISTANCE_HOLDS}.",
+            to_the(state.slip)
+        ),
         Mode::Flight => {
-            let weight = if trajectory.hoop().slope() == 0.0 {
-                "1"
-            } else {
-                "cos α"
-            };
+            let weight = if hoop.slope() == 0.0 { "1" } else { "cos α" };
             format!(
                 "Leaves at once: only a pull from the ground could hold it down, h cos θ θ′² > {weight}."
             )
@@ -80,7 +81,7 @@ pub fn start(trajectory: &Trajectory, scale: Scale<'_>) -> String {
 pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Option<String> {
     let event = trajectory.transitions().get(index)?;
     let hoop = trajectory.hoop();
-    let forces = RollingLaw::new(hoop).forces(event.before.theta, event.before.theta_rate);
+    let forces = PhasePlane::new(hoop).forces(event.before.theta, event.before.theta_rate);
     let mu_s = hoop.mu_s();
     let struck = |impact| Struck {
         hoop,
@@ -91,12 +92,16 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
     };
     Some(match event.cause {
         Cause::Slip => slip(event, mu_s),
+        Cause::Stick if event.to == Some(Mode::Rest) => {
+            format!("Comes to rest: the slip has died away, and {RESISTANCE_HOLDS}.")
+        }
         Cause::Stick => format!("Sticks and rolls: the slip has died away, and {HOLDS}."),
+        Cause::TurningPoint => turning_point(hoop, event, &forces),
         Cause::Reversal if event.from == Some(Mode::Gliding) => {
             "The slip of the glide reverses: outside 𝓡 nothing holds the contact point.".to_owned()
         }
         Cause::Reversal => {
-            format!("The slip reverses: {}.", gives_way(&forces, mu_s))
+            format!("The slip reverses: {}.", gives_way(hoop, &forces))
         }
         Cause::Graze => "The slip touches zero and continues in the same direction.".to_owned(),
         Cause::NormalForceZero => {
@@ -127,6 +132,22 @@ pub fn transition(trajectory: &Trajectory, index: usize, scale: Scale<'_>) -> Op
                 .to_owned()
         }
     })
+}
+
+/// The rotation has come to a stop.
+fn turning_point(hoop: &Hoop, event: &Transition, forces: &ContactForces) -> String {
+    match event.to {
+        Some(Mode::Rest) => format!("Comes to rest: it has stopped, and {RESISTANCE_HOLDS}."),
+        Some(Mode::Skidding) => {
+            format!("Skids: it has stopped turning, and {RESISTANCE_HOLDS} while it slips.")
+        }
+        Some(Mode::Sliding) if event.from == Some(Mode::Rolling) => {
+            format!("Stops turning, and slips: {}.", gives_way(hoop, forces))
+        }
+        Some(Mode::Rolling | Mode::Sliding | Mode::Gliding | Mode::Flight) | None => {
+            "Turns back: it has stopped, and its weight outdoes the rolling resistance.".to_owned()
+        }
+    }
 }
 
 fn lift_off(hoop: &Hoop, event: &Transition, scale: Scale<'_>) -> String {
@@ -175,6 +196,14 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
             scale.show_with_unit(Dimension::Time, period),
             (theta_gained / TAU).abs(),
         ),
+        Outcome::Rests { half_swings, .. } => {
+            let after = match half_swings {
+                0 => String::new(),
+                1 => ", after a half swing".to_owned(),
+                many => format!(", after {many} half swings"),
+            };
+            format!("Rests for ever{after}: {RESISTANCE_HOLDS}.")
+        }
         Outcome::StaysInContact { .. } => {
             "Stays in contact for ever: energy and momentum do not suffice for a lift-off."
                 .to_owned()
@@ -256,6 +285,9 @@ fn unresolved(undecided: &Undecided, scale: Scale<'_>) -> String {
 /// rolls ([`friction`]).
 const HOLDS: &str = "static friction holds the contact point";
 
+/// Why a hoop does not begin to turn.
+const RESISTANCE_HOLDS: &str = "rolling resistance holds it against its weight";
+
 /// The friction that rolling needs at an instant, and that there is; none in another mode.
 pub fn friction(hoop: &Hoop, sample: &Sample) -> Option<String> {
     if sample.mode != Mode::Rolling {
@@ -271,12 +303,12 @@ pub fn friction(hoop: &Hoop, sample: &Sample) -> Option<String> {
 }
 
 /// Static friction did not suffice.
-fn gives_way(forces: &ContactForces, mu_s: f64) -> String {
+fn gives_way(hoop: &Hoop, forces: &ContactForces) -> String {
+    let there_is = brief(hoop.mu_s());
     if forces.normal > 0.0 {
         format!(
-            "rolling would have needed a friction coefficient of {}; there is {}",
+            "rolling would have needed a friction coefficient of {}; there is {there_is}",
             brief(short(forces.demand())),
-            brief(mu_s)
         )
     } else {
         "to roll, the ground would have to pull it down, and it can only push".to_owned()
@@ -294,7 +326,9 @@ fn slip(event: &Transition, mu_s: f64) -> String {
         }
         // With w < 0 friction alone has held it down.
         Some(Mode::Flight) => format!("Leaves, for it was wedged and gives way: {beyond}."),
-        Some(Mode::Rolling | Mode::Sliding) | None => format!("Slips: {beyond}."),
+        Some(Mode::Rolling | Mode::Sliding | Mode::Rest | Mode::Skidding) | None => {
+            format!("Slips: {beyond}.")
+        }
     }
 }
 

@@ -142,6 +142,7 @@ impl FirstTurn {
             | OutcomeKind::SlipsForever
             | OutcomeKind::RepeatsForever
             | OutcomeKind::StaysInContact
+            | OutcomeKind::Rests
             | OutcomeKind::TimeLimit => (never, false),
             OutcomeKind::Landing
             | OutcomeKind::ParticleAtPlane

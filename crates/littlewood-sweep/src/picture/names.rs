@@ -213,8 +213,6 @@ impl Picture {
         let mut parts: Vec<String> = self
             .grid
             .fixed()
-            // A start that does not leave the plane is the rule.
-            .filter(|&(quantity, value)| quantity != Quantity::GapRate || value != 0.0)
             .map(|(quantity, value)| {
                 let dimension = quantity.dimension();
                 let value = unit(units, dimension) * value;

@@ -135,6 +135,7 @@ impl Engine {
     /// An engine for few starts. Nothing is prepared.
     fn for_few_starts(hoop: &Hoop) -> Self {
         let resolves_slips = hoop.mu_s() == 0.0 || hoop.mu_s() >= MIN_FRICTION;
+        let turns_freely = hoop.rolling_resistance() == 0.0;
         let is_computed = |Heavy {
                                mass,
                                h,
@@ -142,7 +143,8 @@ impl Engine {
                                tilt,
                                ..
                            }: Heavy| {
-            resolves_slips
+            turns_freely
+                && resolves_slips
                 && h >= MIN_IMBALANCE
                 && inertia >= MIN_INERTIA * mass
                 && tilt.abs() <= MAX_TILT

@@ -18,7 +18,7 @@ use crate::walk::follow::{NextSlip, next_slip};
 use crate::walk::solver::{SkipBudget, SkippedLinks};
 use crate::walk::{
     Arrival, Cause, Exact, NextMotion, Outcome, OutcomeKind, PhaseEnd, PhaseResult, PhaseSequence,
-    Solution, Solver,
+    ResistedMotion, Solution, Solver,
 };
 
 use super::chain::{LinkSolver, SlipMapValue, SlipMaps, SlipPoint};
@@ -365,6 +365,7 @@ impl<'a> FastSolver<'a> {
             }
             // Known by how it was reached, or from rest.
             Arrival::BackOnLimit(_)
+            | Arrival::Held(_)
             | Arrival::RollingLimit(RollingLimit::NormalForce)
             | Arrival::GlideAtRest { .. }
             | Arrival::LiftOff
@@ -813,6 +814,16 @@ impl Solver for FastSolver<'_> {
 
     fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         Self::from_exact(self.exact.glide(&place.state, body, entry))
+    }
+
+    fn resisted(
+        &self,
+        place: &EngineState,
+        body: &Heavy,
+        motion: ResistedMotion,
+        half_swings: usize,
+    ) -> PhaseResult<Self> {
+        Self::from_exact(self.exact.resisted(&place.state, body, motion, half_swings))
     }
 
     fn skip_to(&self, end: State) -> Option<EngineState> {

@@ -79,6 +79,17 @@ impl WholeTurns {
     }
 }
 
+/// An angle and a number of whole turns.
+pub(crate) fn with_turns(theta: f64, turns: f64) -> f64 {
+    turns * TAU + (turns * TURN[2] + theta)
+}
+
+/// An angle of up to two turns, less a turn in its direction.
+pub(crate) fn less_a_turn(theta: f64) -> f64 {
+    let direction = theta.signum();
+    (theta - direction * TAU) - direction * TURN[2]
+}
+
 /// An angle up to 1e9 modulo 2π, in [−π, π], and the whole turns of the rest. The turns are a sum
 /// of two numbers, since 2π has more digits than a double.
 pub(crate) fn split_turns(theta: f64) -> (f64, WholeTurns) {

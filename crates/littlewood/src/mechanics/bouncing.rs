@@ -38,7 +38,7 @@ pub struct BouncingOrbit {
 
 impl BouncingOrbit {
     /// The motion of a hoop with impacts at this angle. `None` for a massless or a balanced hoop,
-    /// on a slope, for an angle outside (0, π), and where the rim would penetrate the plane.
+    /// on a slope, with rolling resistance, which takes energy from each impact, for an angle outside (0, π), and where the rim would penetrate the plane.
     ///
     /// ```
     /// use littlewood::impact::BouncingOrbit;
@@ -53,7 +53,8 @@ impl BouncingOrbit {
         let Body::Heavy(body) = hoop.body() else {
             return None;
         };
-        if !(angle > 0.0 && angle < PI) || body.h == 0.0 || hoop.slope() != 0.0 {
+        let loses = hoop.slope() != 0.0 || hoop.rolling_resistance() != 0.0;
+        if !(angle > 0.0 && angle < PI) || body.h == 0.0 || loses {
             return None;
         }
         let (sin, cos) = libm::sincos(angle);

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::mechanics::closed_form::slip_angle;
 use crate::mechanics::region::PhasePlane;
-use crate::model::{Body, SlipDirection};
+use crate::model::{Body, RotationDirection, SlipDirection};
 
 /// A part of a plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -154,11 +154,24 @@ impl PhasePlane {
     /// The graphs ±rate(θ).
     fn graph(&self, window: &Window, rate: &dyn Fn(f64) -> Option<f64>) -> Vec<Vec<Point>> {
         // Where D = 0, at θ = ±π without inertia, nothing is defined.
+        let directions = [RotationDirection::Positive, RotationDirection::Negative];
+        let pieces = |rotation| self.graph_of(window, rotation, rate);
+        directions.into_iter().flat_map(pieces).collect()
+    }
+
+    /// The part of it with one sign of θ′.
+    fn graph_of(
+        &self,
+        window: &Window,
+        rotation: RotationDirection,
+        rate: &dyn Fn(f64) -> Option<f64>,
+    ) -> Vec<Vec<Point>> {
         let inside = |theta: f64| self.law.denominator(theta) > 1e-12;
-        let curve =
-            |theta: f64, sign: f64| Some([theta, sign * rate(theta).filter(|_| inside(theta))?]);
-        let pieces = |sign: f64| window.pieces(window.x, CELLS, &|theta| curve(theta, sign));
-        [1.0, -1.0].into_iter().flat_map(pieces).collect()
+        let curve = |theta: f64| {
+            let rate = rate(theta).filter(|_| inside(theta))?;
+            Some([theta, rotation.sign() * rate])
+        };
+        window.pieces(window.x, CELLS, &curve)
     }
 
     /// The angles of all turns in a window that are one of these in one turn.
@@ -181,6 +194,9 @@ impl PhasePlane {
     /// The curve f, |F| = μs N in rolling. Of a massless hoop, and without friction, it has
     /// verticals: the angle alone decides.
     pub fn slip_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         let verticals = match self.hoop.body() {
             Body::Heavy(_) if self.hoop.mu_s() == 0.0 => vec![0.0, PI],
             Body::Heavy(_) => Vec::new(),
@@ -213,6 +229,9 @@ impl PhasePlane {
 
     /// The curve n, N = 0 in rolling.
     pub fn normal_force_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0)
             && self.hoop.slope() == 0.0
         {
@@ -239,8 +258,15 @@ impl PhasePlane {
     /// The rates between which bounces grow out of rolling; empty on a level plane.
     pub fn reverse_chatter_curve(&self, window: &Window) -> Vec<Vec<Point>> {
         let edge = |end: usize| {
-            let rate = move |theta: f64| self.reverse_chatter_rates(theta).map(|rates| rates[end]);
-            self.graph(window, &|theta| rate(theta).filter(|rate| *rate > 0.0))
+            let part = |rotation| {
+                let rates = |theta: f64| self.reverse_chatter_rates(theta, rotation);
+                let rate = |theta: f64| rates(theta).map(|rates| rates[end]);
+                self.graph_of(window, rotation, &|theta| {
+                    rate(theta).filter(|rate| *rate > 0.0)
+                })
+            };
+            let directions = [RotationDirection::Positive, RotationDirection::Negative];
+            directions.map(part).concat()
         };
         [edge(0), edge(1)].concat()
     }
@@ -258,6 +284,9 @@ impl PhasePlane {
 
     /// The orbits of an energy E, ½ D(θ) θ′² + ℓ̂ cos θ = E.
     pub fn level_curve(&self, energy: f64, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         let offset = self.hoop.offset();
         if energy >= offset || self.hoop.slope() != 0.0 {
             return self.graph(window, &|theta| self.level_rate(theta, energy));
@@ -334,6 +363,9 @@ impl PhasePlane {
 
     /// The region 𝓡 of (2.14) as polygons, in a window that reaches as far down as up.
     pub fn rolling_region(&self, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         let most = window.y[1];
         let top = |theta: f64| self.holding(theta, most).map(|[_, high]| [theta, high]);
         let mut pieces = Vec::new();

@@ -32,6 +32,15 @@ pub struct ContactForces<T = f64> {
     pub friction: T,
 }
 
+impl<T> ContactForces<T> {
+    pub(crate) fn map<U>(self, of: impl Fn(T) -> U) -> ContactForces<U> {
+        ContactForces {
+            normal: of(self.normal),
+            friction: of(self.friction),
+        }
+    }
+}
+
 impl ContactForces {
     /// No contact.
     pub(crate) const NONE: Self = Self {
@@ -399,18 +408,23 @@ impl RollingLaw {
 
 /// The equations of sliding of a heavy hoop in one direction.
 ///
-/// With q = h sin θ − μk σ (1 + h cos θ), solving (2.16) for the accelerations gives
+/// With q = h sin θ − μk σ (1 + h cos θ) − ς χ, solving (2.16) for the accelerations gives
 ///
 /// ```text
 /// w = cos α − h cos θ θ′²,  P = Î + m h sin θ q,
 /// N = Î m w/P,              θ″ = N q/Î = m q w/P,
 /// η″ = −μk σ N/m + (1 + h cos θ) θ″ − h sin θ θ′² − sin α.
 /// ```
+///
+/// With rolling resistance a slide keeps both of its directions, σ of slip and ς of rotation
+/// (docs/theory/rolling-resistance.md).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlidingLaw<T = f64> {
     pub(crate) body: Heavy<T>,
     /// μk σ.
     pub(crate) friction: T,
+    /// ς χ; never −0, so that without resistance every difference with it is unchanged.
+    pub(crate) resistance: T,
     /// Gravity normal to the plane, as in [`RollingLaw`].
     pub(crate) normal_gravity: T,
 }
@@ -420,15 +434,16 @@ impl<T: Number> SlidingLaw<T> {
         Self {
             body,
             friction: mu_k * direction.sign(),
+            resistance: T::constant(0.0),
             normal_gravity: T::constant(1.0),
         }
     }
 
-    /// q = h sin θ − μk σ (1 + h cos θ).
+    /// q = h sin θ − μk σ (1 + h cos θ) − ς χ.
     #[inline]
     pub(crate) fn q(&self, one: f64, sin: T, cos: T) -> T {
         let h = self.body.h;
-        h * sin - self.friction * (h * cos + one)
+        h * sin - self.friction * (h * cos + one) - self.resistance * one
     }
 
     /// P = Î + m h sin θ q.
@@ -549,7 +564,8 @@ impl SlidingLaw {
         } = self.body;
         let Angle { sin, cos } = theta.angle();
         let arm = h * sin.abs();
-        let terms = inertia + mass * arm * (arm + self.friction.abs() * (1.0 + h * cos));
+        let levers = arm + self.friction.abs() * (1.0 + h * cos) + self.resistance.abs();
+        let terms = inertia + mass * arm * levers;
         8.0 * f64::EPSILON * terms
     }
 

@@ -18,9 +18,10 @@ use thiserror::Error;
 
 use crate::math::number::Number;
 use crate::math::trig::Angle;
+use crate::mechanics::resisted_impact::ResistedContact;
 use crate::model::{
-    Body, Friction, Heavy, Hoop, Margin, Restitution, RestitutionLaw, SlipDirection, State,
-    Undecided, getters, named,
+    Body, Friction, Heavy, Hoop, Margin, Restitution, RestitutionLaw, RotationDirection,
+    SlipDirection, State, Undecided, getters, named,
 };
 
 /// The impulse of the plane on the body, in m2 √(gR).
@@ -72,7 +73,8 @@ named! {
         /// Slip reverses in restitution.
         ReversesInRestitution = 5, "reverses_in_restitution" => "reverses in restitution";
         /// P ≤ 0 (Painlevé): during slip the normal impulse closes the gap, which opens only after
-        /// slip has ended.
+        /// slip has ended; with rolling resistance also without slip, where D_χ ≤ 0, and until the
+        /// rotation has ended.
         Jams = 6, "jams" => "jams";
     }
 }
@@ -155,17 +157,53 @@ pub struct Impact<T = f64> {
     pub normal_work: T,
     /// Work of the friction impulse, ∫ u dJ ≤ 0.
     pub friction_work: T,
+    /// Work of the couple of rolling resistance, −∫ χ |θ′| dP.
+    pub resistance_work: T,
 }
 
 getters! {
     Impact, [self]:
     /// Energy lost, in m2 g R. Newton's law can make it negative.
-    pub energy_lost: f64 = -(self.normal_work + self.friction_work);
+    pub energy_lost: f64 = -(self.normal_work + self.friction_work) - self.resistance_work;
     /// Whether the impact increases the energy by more than rounding, which only Newton's law allows.
     pub gains_energy: bool = self.energy_lost() < -self.work_rounding();
 }
 
 impl<T: Number> Impact<T> {
+    /// No impulse.
+    pub(super) fn none(before: ContactVelocities<T>) -> Self {
+        let none = T::constant(0.0);
+        Self {
+            case: ImpactCase::None,
+            before,
+            after: before,
+            impulse: Impulse {
+                normal: none,
+                friction: none,
+            },
+            normal_work: none,
+            friction_work: none,
+            resistance_work: none,
+        }
+    }
+
+    /// [`Impact::energy_lost`].
+    pub(crate) fn lost(&self) -> T {
+        -(self.normal_work + self.friction_work) - self.resistance_work
+    }
+
+    /// Whether no velocity and no work overflows.
+    pub(super) fn is_finite(&self) -> bool {
+        let ContactVelocities {
+            theta_rate,
+            slip,
+            gap_rate,
+        } = self.after;
+        [theta_rate, slip, gap_rate, self.impulse.normal, self.lost()]
+            .into_iter()
+            .all(|number| number.value().is_finite())
+    }
+
     /// The impact of other velocities, from that of the same in units of `unit`.
     pub(crate) fn of_units(self, before: ContactVelocities<T>, unit: f64) -> Self {
         let mut after = self.after.times(unit);
@@ -183,6 +221,7 @@ impl<T: Number> Impact<T> {
             },
             normal_work: self.normal_work * unit * unit,
             friction_work: self.friction_work * unit * unit,
+            resistance_work: self.resistance_work * unit * unit,
             ..self
         }
     }
@@ -207,11 +246,21 @@ impl Impact {
 
 /// The derivatives of J, θ′, u and w with respect to P, constant on each part of an impact.
 #[derive(Clone, Copy, Debug)]
-struct Slope<T> {
-    friction: T,
-    spin: T,
-    slip: T,
-    gap_rate: T,
+pub(super) struct Slope<T> {
+    pub(super) friction: T,
+    pub(super) spin: T,
+    pub(super) slip: T,
+    pub(super) gap_rate: T,
+}
+
+/// A vertex of the course of an impact: the impulse up to there, and the velocities then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ImpactVertex {
+    /// Impulse since the start of the impact.
+    pub impulse: Impulse,
+    /// Velocities.
+    pub velocities: ContactVelocities,
 }
 
 /// Compliance of the contact point to an impulse (J, P), in 1/m2: u′ − u = A J + B P, w′ − w = B
@@ -243,26 +292,30 @@ impl Hoop {
     }
 
     /// The vertices of an impact in the plane of impulses (J, P): zero, the impulse at which slip
-    /// ends, if it does, and the total. Empty for a massless hoop. Not defined for the sum of the
+    /// ends, if it does, and the total; with rolling resistance also those at which a rotation
+    /// ends. Empty for a massless hoop. Not defined for the sum of the
     /// impacts of a [`crate::impact::Settling`].
-    pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<Impulse> {
+    pub fn impact_course(&self, theta: f64, impact: &Impact) -> Vec<ImpactVertex> {
         let Body::Heavy(body) = self.body() else {
             return Vec::new();
         };
         let contact = Contact::new(self, &body, theta);
-        let direction = SlipDirection::of_sign(impact.before.slip);
-        let slipping = direction.map_or(contact.at_rest, |direction| contact.slope(direction));
-        let first = contact.course(impact.before, direction, slipping).first;
-        let bend = (first > 0.0 && first < impact.impulse.normal).then_some(Impulse {
-            normal: first,
-            friction: slipping.friction * first,
-        });
-        let none = Impulse {
-            normal: 0.0,
-            friction: 0.0,
+        let start = ImpactVertex {
+            impulse: Impulse {
+                normal: 0.0,
+                friction: 0.0,
+            },
+            velocities: impact.before,
         };
-        let vertices = [Some(none), bend, Some(impact.impulse)];
-        vertices.into_iter().flatten().collect()
+        let end = ImpactVertex {
+            impulse: impact.impulse,
+            velocities: impact.after,
+        };
+        let bends = match &contact.resisted {
+            Some(resisted) => resisted.bends(impact.before, impact.impulse.normal),
+            None => contact.bend(impact).into_iter().collect(),
+        };
+        [vec![start], bends, vec![end]].concat()
     }
 
     /// The impact of a hoop whose rim touches the plane in `state` with `gap_rate` ≤ 0. Friction is
@@ -299,7 +352,7 @@ impl Hoop {
         let before = ContactVelocities::of(state, gap_rate);
         let contact = Contact::new(self, &body, state.theta);
         let impact = contact.impact(before, restitution);
-        if contact.undecided(&impact).is_some() {
+        if contact.undecided(&impact, restitution).is_some() {
             return Err(ImpactError::Undecided { theta: state.theta });
         }
         Ok(impact)
@@ -308,13 +361,15 @@ impl Hoop {
     /// The impact without collision that continues a slide where no motion is consistent, P ≤ 0, or
     /// which has reached P = 0. `None` for a massless hoop, without a coefficient of restitution,
     /// and without slip. Does not apply where P > 0.
+    ///
+    /// With rolling resistance a hoop without slip may jam, too: where D_χ < 0 it stops dead (eq.
+    /// dead-stop). `None` where a normal impulse opens the gap.
     pub fn jam(&self, state: &State) -> Option<Impact> {
         let (Body::Heavy(body), Some(restitution)) = (self.body(), self.restitution()) else {
             return None;
         };
-        let direction = SlipDirection::of_sign(state.slip)?;
         let contact = Contact::new(self, &body, state.theta);
-        Some(contact.jam(ContactVelocities::of(state, 0.0), direction, restitution))
+        contact.jam(ContactVelocities::of(state, 0.0), restitution)
     }
 }
 
@@ -355,6 +410,8 @@ pub(crate) struct Contact<T = f64> {
     /// After slip has ended.
     at_rest: Slope<T>,
     after_slip: AfterSlip,
+    /// With rolling resistance, which the other coefficients leave out.
+    resisted: Option<ResistedContact<T>>,
 }
 
 /// Sizes of the terms of the compliances.
@@ -397,13 +454,39 @@ impl TermSizes {
 }
 
 impl Contact {
+    /// Where the slip of an impact ends on the way.
+    fn bend(&self, impact: &Impact) -> Option<ImpactVertex> {
+        let before = impact.before;
+        let direction = SlipDirection::of_sign(before.slip);
+        let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
+        let first = self.course(before, direction, slipping).first;
+        (first > 0.0 && first < impact.impulse.normal).then_some(ImpactVertex {
+            impulse: Impulse {
+                normal: first,
+                friction: slipping.friction * first,
+            },
+            velocities: ContactVelocities {
+                theta_rate: before.theta_rate + slipping.spin * first,
+                slip: 0.0,
+                gap_rate: before.gap_rate + slipping.gap_rate * first,
+            },
+        })
+    }
+
     pub(crate) fn new(hoop: &Hoop, body: &Heavy, theta: f64) -> Self {
         Self::of(body, hoop.friction(), theta.angle())
     }
 
-    /// The slopes of an impact that begins with slip in this direction; `None` where the slip does
-    /// not end in a stick.
-    pub(crate) fn sticking(&self, direction: SlipDirection) -> Option<Sticking> {
+    /// The slopes of an impact that begins with slip in this direction, of a hoop that turns on in
+    /// another; `None` where the slip does not end in a stick.
+    pub(crate) fn sticking(
+        &self,
+        direction: SlipDirection,
+        rotation: RotationDirection,
+    ) -> Option<Sticking> {
+        if let Some(resisted) = &self.resisted {
+            return resisted.sticking(direction, rotation);
+        }
         let slipping = self.slope(direction);
         let braking = -direction.sign() * slipping.slip;
         (braking > 0.0 && self.after_slip == AfterSlip::Sticks).then_some(Sticking {
@@ -416,11 +499,9 @@ impl Contact {
 
 impl<T: Number> Contact<T> {
     /// The contact of a body at an angle.
-    pub(crate) fn of(
-        body: &Heavy<T>,
-        Friction { mu_s, mu_k }: Friction<T>,
-        Angle { sin, cos }: Angle<T>,
-    ) -> Self {
+    pub(crate) fn of(body: &Heavy<T>, friction: Friction<T>, angle: Angle<T>) -> Self {
+        let Angle { sin, cos } = angle;
+        let Friction { mu_s, mu_k, .. } = friction;
         let (mass, h_sin, height) = (body.mass, body.h * sin, body.h * cos + 1.0);
         let slope = |friction: T, spin: T| Slope {
             friction,
@@ -471,12 +552,20 @@ impl<T: Number> Contact<T> {
             slope_rounding: sizes.rounding_of_slope(mu_k),
             at_rest,
             after_slip,
+            resisted: ResistedContact::new(body, friction, angle),
         }
     }
 
     /// The number that decides on an impact, where its sign is rounding and the impacts to both
     /// sides of the tie differ.
-    pub(crate) fn undecided(&self, impact: &Impact<T>) -> Option<Undecided> {
+    pub(crate) fn undecided(
+        &self,
+        impact: &Impact<T>,
+        restitution: Restitution<T>,
+    ) -> Option<Undecided> {
+        if let Some(resisted) = &self.resisted {
+            return resisted.undecided(impact.before, restitution);
+        }
         match impact.case {
             ImpactCase::Slides => None,
             // P = 0: without a closing gap, between none and a jam.
@@ -505,6 +594,10 @@ impl<T: Number> Contact<T> {
         }
     }
 
+    pub(super) const fn resisted(&self) -> Option<&ResistedContact<T>> {
+        self.resisted.as_ref()
+    }
+
     fn slope(&self, direction: SlipDirection) -> Slope<T> {
         self.slipping[direction.index()]
     }
@@ -515,34 +608,30 @@ impl<T: Number> Contact<T> {
         before: ContactVelocities<T>,
         restitution: Restitution<T>,
     ) -> Impact<T> {
+        if let Some(resisted) = &self.resisted {
+            return resisted.impact(before, restitution).impact;
+        }
         let direction = SlipDirection::of_sign(before.slip.value());
         let slipping = direction.map_or(self.at_rest, |direction| self.slope(direction));
         let jams = direction.is_some() && slipping.gap_rate.value() <= 0.0;
         if before.gap_rate.value() == 0.0 && !jams {
-            let none = T::constant(0.0);
-            return Impact {
-                case: ImpactCase::None,
-                before,
-                after: before,
-                impulse: Impulse {
-                    normal: none,
-                    friction: none,
-                },
-                normal_work: none,
-                friction_work: none,
-            };
+            return Impact::none(before);
         }
         self.collide(before, direction, slipping, jams, restitution)
     }
 
-    /// The jam of a hoop that slips where P ≤ 0, at gap rate 0. Where a slide has reached P = 0,
+    /// The jam at gap rate 0 of a hoop that slips where P ≤ 0, or, with rolling resistance, that
+    /// does not slip where a normal impulse closes the gap. Where a slide has reached P = 0,
     /// rounding may make P positive; it is set to zero.
     pub(crate) fn jam(
         &self,
         before: ContactVelocities<T>,
-        direction: SlipDirection,
         restitution: Restitution<T>,
-    ) -> Impact<T> {
+    ) -> Option<Impact<T>> {
+        if let Some(resisted) = &self.resisted {
+            return resisted.jam(before, restitution, &mut |_, _| ());
+        }
+        let direction = SlipDirection::of_sign(before.slip.value())?;
         let slope = self.slope(direction);
         let slipping = if slope.gap_rate.value() <= 0.0 {
             slope
@@ -556,7 +645,17 @@ impl<T: Number> Contact<T> {
                 ..slope
             }
         };
-        self.collide(before, Some(direction), slipping, true, restitution)
+        Some(self.collide(before, Some(direction), slipping, true, restitution))
+    }
+
+    /// The number that decides on the course of a jam.
+    pub(crate) fn undecided_jam(
+        &self,
+        jam: &Impact<T>,
+        restitution: Restitution<T>,
+    ) -> Option<Undecided> {
+        let resisted = self.resisted.as_ref()?;
+        resisted.undecided_jam(jam.before, restitution)
     }
 
     /// The impact with these velocities and these slopes of the initial slip.
@@ -751,6 +850,7 @@ impl<T: Number> Course<'_, T> {
             impulse,
             normal_work,
             friction_work,
+            resistance_work: T::constant(0.0),
         }
     }
 }

@@ -8,6 +8,9 @@ pub(crate) mod frictionless;
 pub(crate) mod impact;
 pub(crate) mod lift_off;
 pub(crate) mod region;
+pub(crate) mod resisted;
+mod resisted_impact;
+mod resisted_settling;
 pub(crate) mod reverse_chatter;
 pub(crate) mod settling;
 pub(crate) mod solvability;
@@ -21,5 +24,6 @@ pub(crate) use self::equations::{
 pub(crate) use self::frictionless::{FrictionlessIntegrals, MarginAtTop, converge};
 pub(crate) use self::impact::{Contact, ContactVelocities, Impact, ImpactCase, Impulse};
 pub(crate) use self::lift_off::ContactProof;
+pub(crate) use self::resisted::{HeldLaw, ResistedRollingLaw};
 pub(crate) use self::settling::{BounceConditions, Bounces, Settling};
 pub(crate) use self::solvability::lowest_zero;

@@ -4,10 +4,15 @@
 use core::f64::consts::{PI, TAU};
 
 use crate::math::number::Number;
-use crate::mechanics::{ContactForces, Loads, RollingLaw};
+use crate::math::trig::Angle;
+use crate::mechanics::{ContactForces, HeldLaw, Loads, ResistedRollingLaw, RollingLaw};
 use crate::model::{Body, Hoop, SlipDirection};
 
 /// The phase plane of the rolling motions of one hoop.
+///
+/// With rolling resistance rolling one way has other limits than rolling the other, and no energy
+/// integral: the plane then has the forces, 𝓡 at a point and the curves of lift-off and of reverse
+/// chatter, but not those of rolling, no region as an area, and no equilibria.
 ///
 /// ```
 /// use littlewood::theory::PhasePlane;
@@ -61,14 +66,45 @@ impl PhasePlane {
         }
     }
 
-    /// Normal and friction force of rolling (2.12).
+    /// Whether rolling is the same in both directions.
+    pub(super) fn is_even(&self) -> bool {
+        self.hoop.rolling_resistance() == 0.0
+    }
+
+    /// Normal and friction force of rolling (2.12), or of rest where rolling resistance holds it.
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
-        let ContactForces { normal, friction } = self.law.forces(theta, theta_rate / self.pace);
+        let rate = theta_rate / self.pace;
+        let ContactForces { normal, friction } = if self.is_even() {
+            self.law.forces(theta, rate)
+        } else {
+            self.resisted_forces(theta.angle(), rate)
+        };
         let weight = self.pace * self.pace;
         ContactForces {
             normal: weight * normal,
             friction: weight * friction,
         }
+    }
+
+    /// N and F with rolling resistance, in the units of the law. At θ′ = 0 the hoop begins to turn as
+    /// its weight pulls, or rests.
+    fn resisted_forces(&self, angle: Angle, rate: f64) -> ContactForces {
+        let body = self.hoop.rigid_body();
+        let coefficient = self.hoop.rolling_resistance();
+        let arm = HeldLaw {
+            body,
+            friction: 0.0,
+        }
+        .arm_of_rest(angle);
+        if rate == 0.0 && arm.abs() <= coefficient {
+            return ContactForces {
+                normal: body.mass,
+                friction: body.mass * body.pull(),
+            };
+        }
+        let turns = if rate == 0.0 { -arm } else { rate };
+        let resistance = coefficient.copysign(turns);
+        ResistedRollingLaw::of_body(&body, resistance).forces(angle, rate * rate)
     }
 
     /// Region 𝓝 of (2.14): N > 0.
@@ -92,6 +128,9 @@ impl PhasePlane {
 
     /// |θ′| on the curve n, N = 0 in rolling; `None` where N ≠ 0 at every rate.
     pub fn normal_force_rate(&self, theta: f64) -> Option<f64> {
+        if !self.is_even() {
+            return None;
+        }
         let [constant, slope] = self.line(theta);
         self.rate_of(-constant.normal / slope.normal)
     }
@@ -100,7 +139,7 @@ impl PhasePlane {
     /// where the branch has no point at θ. For a massless hoop f is a vertical line:
     /// [`crate::mechanics::closed_form::slip_angle`].
     pub fn slip_rate(&self, theta: f64, direction: SlipDirection) -> Option<f64> {
-        if matches!(self.hoop.body(), Body::Massless(_)) {
+        if matches!(self.hoop.body(), Body::Massless(_)) || !self.is_even() {
             return None;
         }
         let [constant, slope] = self.line(theta);
@@ -118,8 +157,11 @@ impl PhasePlane {
     }
 
     /// |θ′| on the separatrix through the unstable equilibrium, θ′² = 4ℓ̂ sin²(θ/2)/D(θ) on a level plane. On a slope it is that of the
-    /// equilibrium next downhill from θ, which bounds the well; zero where it does not reach θ.
+    /// equilibrium next downhill from θ, which bounds the well; zero where it does not reach θ, and with rolling resistance.
     pub fn separatrix_rate(&self, theta: f64) -> f64 {
+        if !self.is_even() {
+            return 0.0;
+        }
         if self.hoop.slope() == 0.0 {
             return self
                 .level_rate(theta, self.law.separatrix_energy())
@@ -145,6 +187,9 @@ impl PhasePlane {
     /// |θ′| on the orbit of energy E, θ′² = 2(E − ℓ̂ cos θ)/D(θ) on a level plane; `None` where the orbit does not reach θ. On a slope E
     /// is that of [`RollingLaw::energy`].
     pub fn level_rate(&self, theta: f64, energy: f64) -> Option<f64> {
+        if !self.is_even() {
+            return None;
+        }
         let kinetic = if self.hoop.slope() == 0.0 {
             let sin_half = libm::sin(0.5 * theta);
             // E − ℓ̂ cos θ, without cancellation near the top.
@@ -158,6 +203,9 @@ impl PhasePlane {
     /// The equilibria of rolling in (−π, π]; none where the slope exceeds asin h. A massless hoop
     /// with the particle on the rim of a level plane has none at θ = π (§3a).
     pub fn equilibria(&self) -> Vec<Equilibrium> {
+        if !self.is_even() {
+            return Vec::new();
+        }
         let offset = self.hoop.offset();
         let Some([unstable, stable]) = self.law.equilibria() else {
             let neutral = |theta| Equilibrium {

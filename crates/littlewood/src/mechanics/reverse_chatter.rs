@@ -5,12 +5,22 @@
 //! p = 2 |a|/(w M) and the slopes k1 = C − μk |B| and k2 = C − B²/A of the gap rate in slip and in
 //! stick, the ratio of successive bounces exceeds e only if a B > 0 and M > 0. It exceeds 1 where p
 //! lies between two numbers of the angle, and so θ′² between two linear forms.
+//!
+//! With rolling resistance B is m h sin θ (1 + h cos θ) with h sin θ − ς χ for h sin θ, and k2 =
+//! Dχ/(m J). The slip of a bounce may end in a reversal, and out of rest the hoop may turn, so that
+//! bounces are followed until they repeat themselves.
 
 use crate::mechanics::impact::Sticking;
 use crate::mechanics::region::PhasePlane;
-use crate::mechanics::settling::RATIO_ROUNDING;
-use crate::mechanics::{Contact, ContactVelocities, contact};
-use crate::model::{Body, Heavy, Restitution, RestitutionLaw, SlipDirection};
+use crate::mechanics::settling::{NoSettling, RATIO_ROUNDING};
+use crate::mechanics::{BounceConditions, Bounces, Contact, ContactVelocities, contact};
+use crate::model::{Body, Heavy, Restitution, RestitutionLaw, RotationDirection, SlipDirection};
+
+/// θ′ of a hoop whose rotation no bounce ends, of bounces with a gap rate of 1.
+const FAST: f64 = 1e200;
+
+/// The ratio of bounces that do end it, as where a hoop that rolls stops dead, is larger.
+const LARGEST_RATIO: f64 = 1e100;
 
 /// The values of p between which bounces grow; k2 > k1.
 fn growing(restitution: Restitution, slopes: &Sticking) -> Option<[f64; 2]> {
@@ -30,6 +40,27 @@ fn growing(restitution: Restitution, slopes: &Sticking) -> Option<[f64; 2]> {
     };
     let high = if k1 > 0.0 { high } else { f64::INFINITY };
     (low < high).then_some([low, high])
+}
+
+/// The ratio of bounces that grow, with rolling resistance. Out of rolling the bounces are too small
+/// to end the rotation.
+fn resisted_growth(body: &Heavy, conditions: BounceConditions) -> Option<f64> {
+    let theta_rate = if conditions.theta_rate == 0.0 {
+        0.0
+    } else {
+        FAST.copysign(conditions.theta_rate)
+    };
+    let thrown = ContactVelocities {
+        theta_rate,
+        slip: 0.0,
+        gap_rate: 1.0,
+    };
+    match Bounces::of(body, conditions).and_then(|it| it.sum(thrown, f64::INFINITY)) {
+        Err(NoSettling::Grows { ratio }) => {
+            (ratio > 1.0 + RATIO_ROUNDING && ratio < LARGEST_RATIO).then_some(ratio)
+        }
+        Ok(_) | Err(_) => None,
+    }
 }
 
 impl PhasePlane {
@@ -62,6 +93,16 @@ impl PhasePlane {
         let (sin, cos) = libm::sincos(theta);
         let weight = contact(1.0, body.h, cos * (rate * rate));
         let drift = -body.h * sin * (rate * rate) - body.pull();
+        if self.hoop.rolling_resistance() > 0.0 {
+            let conditions = BounceConditions {
+                theta,
+                theta_rate: rate,
+                friction: self.hoop.friction(),
+                restitution,
+                gravity: 1.0,
+            };
+            return resisted_growth(&body, conditions);
+        }
         if !(weight > 0.0 && drift * sin > 0.0) {
             return None;
         }
@@ -77,8 +118,13 @@ impl PhasePlane {
         (ratio.is_finite() && ratio > 1.0 + RATIO_ROUNDING).then_some(ratio)
     }
 
-    /// |θ′| between which bounces grow out of rolling at an angle.
-    pub fn reverse_chatter_rates(&self, theta: f64) -> Option<[f64; 2]> {
+    /// |θ′| between which bounces grow out of rolling in this direction at an angle. Without rolling
+    /// resistance they are those of both.
+    pub fn reverse_chatter_rates(
+        &self,
+        theta: f64,
+        rotation: RotationDirection,
+    ) -> Option<[f64; 2]> {
         let (body, restitution) = self.bouncing()?;
         let (sin, cos) = libm::sincos(theta);
         let pull = body.pull();
@@ -86,7 +132,7 @@ impl PhasePlane {
             return None;
         }
         let direction = SlipDirection::of_sign(sin)?;
-        let slopes = Contact::new(&self.hoop, &body, theta).sticking(direction)?;
+        let slopes = Contact::new(&self.hoop, &body, theta).sticking(direction, rotation)?;
         let [low, high] = growing(restitution, &slopes)?;
         // |a| over w lies between ½ M p, and both are linear in u: constant + slope u > 0.
         let beyond = |share: f64| [pull.abs() - share, -body.h * (sin.abs() - share * cos)];

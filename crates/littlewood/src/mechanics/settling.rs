@@ -29,10 +29,10 @@ pub(super) const RATIO_ROUNDING: f64 = 16.0 * f64::EPSILON;
 const REPETITION_TOLERANCE: f64 = 1e-14;
 
 /// Gap rate, over the first, below which bounces do not change the sums: 1e-20 is far below ε.
-const NEGLIGIBLE_RATE_RATIO: f64 = 1e-20;
+pub(super) const NEGLIGIBLE_RATE_RATIO: f64 = 1e-20;
 
 /// Maximum number of bounces of changing kind, which are summed one by one.
-const MAX_BOUNCES: usize = 4096;
+pub(super) const MAX_BOUNCES: usize = 4096;
 
 /// The sum of all bounces from a flight on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,7 +151,13 @@ impl Hoop {
                 theta_rate: state.theta_rate + part * spin,
                 ..*state
             };
-            let start = ContactVelocities::of(&later, gap_rate);
+            // With rolling resistance the sum may depend on where the rotation ends.
+            let from = if self.rolling_resistance() > 0.0 {
+                state
+            } else {
+                &later
+            };
+            let start = ContactVelocities::of(from, gap_rate);
             let sum = Bounces::new(self, body, &later, restitution, 1.0)
                 .and_then(|bounces| bounces.sum(start, 2.0 * MAX_SETTLING_TIME));
             sum.is_ok_and(|other| {
@@ -179,7 +185,7 @@ pub(crate) struct BounceConditions<T = f64> {
 /// Bounces at a fixed angle and rate.
 pub(crate) struct Bounces<T = f64> {
     contact: Contact<T>,
-    restitution: Restitution<T>,
+    pub(super) restitution: Restitution<T>,
     /// W = cos α − h cos θ θ′².
     contact_force: T,
     /// a = −h sin θ θ′² − sin α.
@@ -187,17 +193,18 @@ pub(crate) struct Bounces<T = f64> {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Sums<T> {
-    duration: T,
-    normal: T,
-    friction: T,
-    theta_rate: T,
-    normal_work: T,
-    friction_work: T,
+pub(super) struct Sums<T> {
+    pub(super) duration: T,
+    pub(super) normal: T,
+    pub(super) friction: T,
+    pub(super) theta_rate: T,
+    pub(super) normal_work: T,
+    pub(super) friction_work: T,
+    pub(super) resistance_work: T,
 }
 
 impl<T: Number> Sums<T> {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         let zero = T::constant(0.0);
         Self {
             duration: zero,
@@ -206,6 +213,7 @@ impl<T: Number> Sums<T> {
             theta_rate: zero,
             normal_work: zero,
             friction_work: zero,
+            resistance_work: zero,
         }
     }
 
@@ -300,6 +308,9 @@ impl<T: Number> Bounces<T> {
         start: ContactVelocities<T>,
         longest: f64,
     ) -> Result<Settling<T>, NoSettling> {
+        if let Some(resisted) = self.contact.resisted() {
+            return self.sum_resisted(resisted, start, longest);
+        }
         let mut sums = Sums::<T>::new();
         let (mut slip, mut opening) = (start.slip, start.gap_rate);
         for bounce in 0..MAX_BOUNCES {
@@ -307,10 +318,14 @@ impl<T: Number> Bounces<T> {
                 return Err(NoSettling::Unsettled { bounces: bounce });
             }
             let run = self.run(start.theta_rate, slip, opening);
-            if self.contact.undecided(&run.first).is_some() {
+            if self
+                .contact
+                .undecided(&run.first, self.restitution)
+                .is_some()
+            {
                 return Err(NoSettling::Undecided);
             }
-            let (ratio, r) = (run.ratio, run.ratio.value());
+            let r = run.ratio.value();
             let number = run.number();
             let shrinks = 1.0 - r > RATIO_ROUNDING;
             if number == f64::INFINITY && !shrinks {
@@ -318,17 +333,24 @@ impl<T: Number> Bounces<T> {
             }
             sums.add(&run, number);
             slip = run.slip_after(number);
+            let settled = |opening: T| {
+                let after = ContactVelocities {
+                    theta_rate: start.theta_rate + sums.theta_rate,
+                    slip,
+                    gap_rate: opening,
+                };
+                self.settled(start, &sums, after, &run)
+            };
             if number == f64::INFINITY {
-                return Ok(self.settled(start, &sums, slip, &run));
+                return Ok(settled(T::constant(0.0)));
             }
             opening = if run.slides() {
-                let power = libm::pow(r, number);
-                opening * ratio.map(power, number * power / r)
+                run.opening_after(opening, number)
             } else {
                 run.first.after.gap_rate
             };
             if opening.value() <= NEGLIGIBLE_RATE_RATIO * start.gap_rate.value() {
-                return Ok(self.settled(start, &sums, slip, &run));
+                return Ok(settled(opening));
             }
             if opening.value() > start.gap_rate.value() / f64::EPSILON {
                 return Err(NoSettling::Grows { ratio: r });
@@ -339,14 +361,29 @@ impl<T: Number> Bounces<T> {
         })
     }
 
+    /// The duration of a flight.
+    pub(super) fn flight(&self, opening: T) -> T {
+        opening * 2.0 / self.contact_force
+    }
+
+    /// The velocities after a flight.
+    pub(super) fn landing(&self, now: ContactVelocities<T>, duration: T) -> ContactVelocities<T> {
+        ContactVelocities {
+            slip: now.slip + self.slip_acceleration * duration,
+            gap_rate: -now.gap_rate,
+            ..now
+        }
+    }
+
     /// The run of bounces that begins with a slip and a gap rate.
     fn run(&self, theta_rate: T, slip: T, opening: T) -> Run<T> {
-        let duration = opening * 2.0 / self.contact_force;
-        let before = ContactVelocities {
+        let now = ContactVelocities {
             theta_rate,
-            slip: slip + self.slip_acceleration * duration,
-            gap_rate: -opening,
+            slip,
+            gap_rate: opening,
         };
+        let duration = self.flight(opening);
+        let before = self.landing(now, duration);
         let first = self.contact.impact(before, self.restitution);
         Run {
             slip,
@@ -356,11 +393,11 @@ impl<T: Number> Bounces<T> {
         }
     }
 
-    fn settled(
+    pub(super) fn settled(
         &self,
         start: ContactVelocities<T>,
         sums: &Sums<T>,
-        slip: T,
+        after: ContactVelocities<T>,
         last: &Run<T>,
     ) -> Settling<T> {
         let before = ContactVelocities {
@@ -369,9 +406,8 @@ impl<T: Number> Bounces<T> {
             gap_rate: start.gap_rate - self.contact_force * sums.duration,
         };
         let after = ContactVelocities {
-            theta_rate: start.theta_rate + sums.theta_rate,
-            slip,
             gap_rate: T::constant(0.0),
+            ..after
         };
         let impact = Impact {
             case: last.first.case,
@@ -383,6 +419,7 @@ impl<T: Number> Bounces<T> {
             },
             normal_work: sums.normal_work,
             friction_work: sums.friction_work,
+            resistance_work: sums.resistance_work,
         };
         Settling {
             gap_rate: start.gap_rate,
@@ -393,8 +430,13 @@ impl<T: Number> Bounces<T> {
     }
 }
 
+/// Whether a velocity is that before a bounce times the ratio.
+pub(super) fn scales(before: f64, after: f64, ratio: f64) -> bool {
+    (after - before * ratio).abs() <= REPETITION_TOLERANCE * before.abs() * ratio
+}
+
 /// 1 + r + r² + … with `count` terms.
-fn geometric<T: Number>(ratio: T, count: f64) -> T {
+pub(super) fn geometric<T: Number>(ratio: T, count: f64) -> T {
     let r = ratio.value();
     if r == 1.0 || count <= 1.0 {
         // The derivative of the sum at r = 1 is that of its terms.
@@ -417,14 +459,14 @@ fn geometric<T: Number>(ratio: T, count: f64) -> T {
 
 /// A run of bounces of one kind.
 #[derive(Clone, Copy, Debug)]
-struct Run<T> {
+pub(super) struct Run<T> {
     /// Slip velocity s0 after the impact before the first.
-    slip: T,
+    pub(super) slip: T,
     /// Duration of the first flight, and the impact that ends it.
-    duration: T,
-    first: Impact<T>,
+    pub(super) duration: T,
+    pub(super) first: Impact<T>,
     /// The ratio of successive gap rates.
-    ratio: T,
+    pub(super) ratio: T,
 }
 
 impl<T: Number> Run<T> {
@@ -437,7 +479,7 @@ impl<T: Number> Run<T> {
     /// Whether all velocities of the next bounce are those of the first times the ratio.
     fn repeats(&self) -> bool {
         let [slip, after, ratio] = [self.slip, self.first.after.slip, self.ratio].map(T::value);
-        (after - slip * ratio).abs() <= REPETITION_TOLERANCE * slip.abs() * ratio
+        scales(slip, after, ratio)
     }
 
     /// Number of bounces to add, including the first: all if infinitely many are of one kind;
@@ -446,26 +488,40 @@ impl<T: Number> Run<T> {
         if !self.slides() {
             return if self.repeats() { f64::INFINITY } else { 1.0 };
         }
+        1.0 + (0.5 * self.until_stop()).floor()
+    }
+
+    /// The number of bounces of one kind until the slip velocity vanishes, before or after an
+    /// impact.
+    pub(super) fn until_stop(&self) -> f64 {
         let Impact { before, after, .. } = self.first;
         let [ratio, slip, before, after] =
             [self.ratio, self.slip, before.slip, after.slip].map(T::value);
-        // The number of bounces until the slip velocity `now` + `change` gₖ vanishes.
-        let further = |now: f64, change: f64| {
-            let until = -now / change;
-            if now == 0.0 {
-                0.0
-            } else if until <= 0.0 || (1.0 - ratio) * until >= 1.0 {
-                f64::INFINITY
-            } else if ratio == 1.0 {
-                until
-            } else {
-                libm::log1p(-(1.0 - ratio) * until) / libm::log(ratio)
-            }
-        };
         let change = after - slip;
-        let most = further(before, change - (1.0 - ratio) * (before - slip))
-            .min(further(after, change * ratio));
-        1.0 + (0.5 * most).floor()
+        self.further(before, change - (1.0 - ratio) * (before - slip))
+            .min(self.further(after, change * ratio))
+    }
+
+    /// The number of bounces until a velocity `now` + `change` gₖ vanishes.
+    pub(super) fn further(&self, now: f64, change: f64) -> f64 {
+        let ratio = self.ratio.value();
+        let until = -now / change;
+        if now == 0.0 {
+            0.0
+        } else if until <= 0.0 || (1.0 - ratio) * until >= 1.0 {
+            f64::INFINITY
+        } else if ratio == 1.0 {
+            until
+        } else {
+            libm::log1p(-(1.0 - ratio) * until) / libm::log(ratio)
+        }
+    }
+
+    /// The gap rate after `number` bounces that begin with `opening`.
+    pub(super) fn opening_after(&self, opening: T, number: f64) -> T {
+        let r = self.ratio.value();
+        let power = libm::pow(r, number);
+        opening * self.ratio.map(power, number * power / r)
     }
 
     /// Slip velocity after `number` bounces.
@@ -482,12 +538,19 @@ impl<T: Number> Run<T> {
 
     /// The sum of the mean slip velocities in `number` impacts, each weighted with its impulse over
     /// the first.
-    fn slipped(&self, number: f64) -> T {
+    pub(super) fn slipped(&self, number: f64) -> T {
         let Self { ratio, slip, .. } = *self;
         let count = geometric(ratio, number);
         let change = self.first.after.slip - slip;
         slip * count
-            + change * (ratio / (ratio + 1.0) * count * geometric(ratio, number - 1.0))
+            + change * self.weighted(number)
             + (self.first.before.slip - slip + change) * 0.5 * geometric(ratio * ratio, number)
+    }
+
+    /// The sum of gₖ rᵏ over `number` bounces.
+    pub(super) fn weighted(&self, number: f64) -> T {
+        let ratio = self.ratio;
+        let count = geometric(ratio, number);
+        ratio / (ratio + 1.0) * count * geometric(ratio, number - 1.0)
     }
 }

@@ -30,6 +30,9 @@ pub struct HoopParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction, μk ≥ 0.
     pub mu_k: f64,
+    /// Coefficient of rolling resistance over the radius, χ ≥ 0.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub rolling_resistance: f64,
     /// Angle α by which the plane rises to the right, |α| < π/2.
     #[cfg_attr(feature = "serde", serde(default))]
     pub slope: f64,
@@ -50,6 +53,7 @@ impl HoopParameters {
             inertia: mass_ratio,
             mu_s: 0.0,
             mu_k: 0.0,
+            rolling_resistance: 0.0,
             slope: 0.0,
             restitution: None,
             restitution_law: None,
@@ -76,6 +80,8 @@ setters! {
     with_inertia(inertia: f64);
     /// The same hoop with these coefficients of static and kinetic friction.
     with_friction(mu_s: f64, mu_k: f64);
+    /// The same hoop with this coefficient χ of rolling resistance.
+    with_rolling_resistance(rolling_resistance: f64);
     /// The same hoop on a plane that rises to the right by this angle α.
     with_slope(slope: f64);
 }
@@ -114,11 +120,12 @@ pub struct Heavy<T = f64> {
     pub tilt: T,
 }
 
-/// The coefficients of static and kinetic friction.
+/// The coefficients of static and kinetic friction and of rolling resistance.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Friction<T = f64> {
     pub(crate) mu_s: T,
     pub(crate) mu_k: T,
+    pub(crate) rolling_resistance: T,
 }
 
 /// What a body is made of: mass ratio m̂1, offset ℓ̂ and moment of inertia Î_zz.
@@ -166,6 +173,8 @@ getters! {
     pub mu_s: f64 = self.parameters.mu_s;
     /// Coefficient of kinetic friction μk.
     pub mu_k: f64 = self.parameters.mu_k;
+    /// Coefficient χ of rolling resistance.
+    pub rolling_resistance: f64 = self.parameters.rolling_resistance;
     /// Slope α of the plane.
     pub slope: f64 = self.parameters.slope;
     /// The restitution of an impact; `None` if a motion ends at a landing.
@@ -173,6 +182,7 @@ getters! {
     pub(crate) friction: Friction = Friction {
         mu_s: self.parameters.mu_s,
         mu_k: self.parameters.mu_k,
+        rolling_resistance: self.parameters.rolling_resistance,
     };
     /// The body with or without inertia.
     pub body: Body = self.body;
@@ -183,8 +193,8 @@ getters! {
 }
 
 impl Hoop {
-    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, |α| < π/2, 0 ≤
-    /// e ≤ 1, and a body that can move.
+    /// Checks the parameters: finite, m̂1 ≥ 0, 0 ≤ ℓ̂ ≤ 1, Î_zz ≥ 0, 0 ≤ μk ≤ μs, χ ≥ 0, |α| < π/2,
+    /// 0 ≤ e ≤ 1, and a body that can move.
     ///
     /// # Errors
     /// The first value that violates a bound; ℓ̂ = 0 with Î = 0 ([`ParameterError::NoMotion`]); 0 <
@@ -198,6 +208,7 @@ impl Hoop {
         };
         let mu_s = Quantity::MuS.check(parameters.mu_s)?;
         let mu_k = Quantity::MuK.check(parameters.mu_k)?;
+        Quantity::RollingResistance.check(parameters.rolling_resistance)?;
         let slope = Quantity::Slope.check(parameters.slope)?;
         within(Quantity::MuK, mu_k, Bound::AtMost(Quantity::MuS, mu_s))?;
 
@@ -265,6 +276,19 @@ impl Hoop {
             self.parameters
                 .with_restitution(restitution.coefficient(), restitution.law()),
         )
+    }
+
+    /// Refuses what is not built yet with rolling resistance.
+    ///
+    /// # Errors
+    /// [`ParameterError::NotBuilt`].
+    pub fn check_built(&self) -> Result<(), ParameterError> {
+        let rolling_resistance = self.rolling_resistance();
+        if rolling_resistance == 0.0 {
+            Ok(())
+        } else {
+            Err(ParameterError::NotBuilt { rolling_resistance })
+        }
     }
 
     /// The parameters of the equations of rolling, which hold without inertia, too.

@@ -18,7 +18,7 @@ pub(crate) use self::dimension::{Detail, Dimension, System};
 pub(crate) use self::error::{MIN_INERTIA, ParameterError, within};
 pub(crate) use self::hoop::{Body, Composition, Friction, Heavy, Hoop, HoopParameters, Massless};
 pub(crate) use self::limits::{Limits, Proof, length_of_slide, weight_of_slides};
-pub(crate) use self::mode::{Mode, SlipDirection};
+pub(crate) use self::mode::{Mode, RotationDirection, SlipDirection};
 pub(crate) use self::named::{getters, named, setters};
 pub(crate) use self::quantity::{
     Bound, MAX_COORDINATE, MAX_TIME, Number, Quantity, Reading, STANDARD_GRAVITY,

@@ -130,6 +130,16 @@ named! {
             "Angle by which the plane rises to the right, in radians, between -pi/2 and pi/2, also with SI \
              parameters")
             .with_hint("a slope is an angle in radians: 30 degrees are 0.5236");
+        /// Coefficient χ of rolling resistance, a length over the radius.
+        RollingResistance = 26, "rolling_resistance" => row((DIMENSIONLESS, Group::Hoop, D::Length, Some(Self::RollingResistanceM)), ["chi", "χ"],
+            (PARAMETER, Presence::Default(0.0), [0.0, 0.2]), "coefficient of rolling resistance over the radius",
+            "Coefficient of rolling resistance, a length over R: the plane resists the rotation with a couple of \
+             up to chi N")
+            .with_hint("rolling resistance is not negative: 0 is a hoop that rolls for ever");
+        /// Coefficient of rolling resistance in metres.
+        RollingResistanceM = 27, "rolling_resistance_m" => row((SI, Group::Hoop, D::Length, Some(Self::RollingResistance)), ["chi", "χ"],
+            (NON_NEGATIVE, Presence::Default(0.0), [0.0, 0.1]), "coefficient of rolling resistance",
+            "Coefficient of rolling resistance, m");
     }
 }
 
@@ -373,12 +383,13 @@ getters! {
 
 impl Quantity {
     /// The dimensionless parameters of a hoop.
-    pub const HOOP: [Self; 7] = [
+    pub const HOOP: [Self; 8] = [
         Self::MassRatio,
         Self::Offset,
         Self::Inertia,
         Self::MuS,
         Self::MuK,
+        Self::RollingResistance,
         Self::Slope,
         Self::Restitution,
     ];
@@ -394,7 +405,7 @@ impl Quantity {
     ];
 
     /// The quantities that determine a motion and that a sweep can vary, in the order of tables.
-    pub const AXES: [Self; 11] = [
+    pub const AXES: [Self; 12] = [
         Self::Theta,
         Self::ThetaRate,
         Self::Slip,
@@ -404,12 +415,13 @@ impl Quantity {
         Self::Inertia,
         Self::MuS,
         Self::MuK,
+        Self::RollingResistance,
         Self::Slope,
         Self::Restitution,
     ];
 
     /// The quantities of a hoop in SI units, including the units of (2.9).
-    pub const SI_HOOP: [Self; 10] = [
+    pub const SI_HOOP: [Self; 11] = [
         Self::DiscMassKg,
         Self::ParticleMassKg,
         Self::RadiusM,
@@ -418,6 +430,7 @@ impl Quantity {
         Self::GravityMPerS2,
         Self::MuS,
         Self::MuK,
+        Self::RollingResistanceM,
         Self::Slope,
         Self::Restitution,
     ];
@@ -432,10 +445,17 @@ impl Quantity {
         Self::TimeS,
     ];
 
-    /// Whether a value goes without saying, and is left out of records and captions: no slope, no
-    /// opening gap.
+    /// Whether a value goes without saying, and is left out of records and captions: no rolling
+    /// resistance, no slope, no opening gap.
     pub const fn goes_without_saying(self, value: f64) -> bool {
-        matches!(self, Self::Slope | Self::GapRate | Self::GapRateMPerS) && value.to_bits() == 0
+        matches!(
+            self,
+            Self::RollingResistance
+                | Self::RollingResistanceM
+                | Self::Slope
+                | Self::GapRate
+                | Self::GapRateMPerS
+        ) && value.to_bits() == 0
     }
 
     /// Whether the quantity is a ratio, as the parameters of (2.9) are.

@@ -41,6 +41,7 @@ impl Setup {
             Quantity::Inertia => &mut hoop.inertia,
             Quantity::MuS => &mut hoop.mu_s,
             Quantity::MuK => &mut hoop.mu_k,
+            Quantity::RollingResistance => &mut hoop.rolling_resistance,
             Quantity::Slope => &mut hoop.slope,
             Quantity::Restitution => return Some(Field::Optional(&mut hoop.restitution)),
             Quantity::Theta => &mut start.theta,
@@ -56,6 +57,7 @@ impl Setup {
             | Quantity::OffsetM
             | Quantity::InertiaKgM2
             | Quantity::GravityMPerS2
+            | Quantity::RollingResistanceM
             | Quantity::ThetaRateRadPerS
             | Quantity::SlipMPerS
             | Quantity::GapRateMPerS

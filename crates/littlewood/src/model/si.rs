@@ -45,6 +45,8 @@ pub struct SiParameters {
     pub mu_s: f64,
     /// Coefficient of kinetic friction μk.
     pub mu_k: f64,
+    /// Coefficient of rolling resistance, m.
+    pub rolling_resistance_m: f64,
     /// Slope α of the plane, rad.
     pub slope: f64,
     /// Coefficient of restitution e; without one a motion ends at a landing.
@@ -82,6 +84,7 @@ impl Default for SiParameters {
             gravity_m_per_s2: STANDARD_GRAVITY,
             mu_s: 0.0,
             mu_k: 0.0,
+            rolling_resistance_m: 0.0,
             slope: 0.0,
             restitution: None,
             restitution_law: None,
@@ -109,7 +112,7 @@ impl SiParameters {
     /// The dimensionless hoop and the units of its motion.
     ///
     /// # Errors
-    /// Unless m2, R, g > 0, m1, `I_zz` ≥ 0, 0 ≤ ℓ ≤ R, 0 ≤ μk ≤ μs, all finite; and as
+    /// Unless m2, R, g > 0, m1, `I_zz` ≥ 0, 0 ≤ ℓ ≤ R, 0 ≤ μk ≤ μs, χ ≥ 0, all finite; and as
     /// [`Hoop::new`].
     pub fn to_hoop(&self) -> Result<(Hoop, Units), ParameterError> {
         let mass = Quantity::DiscMassKg.check(self.disc_mass_kg)?;
@@ -118,6 +121,7 @@ impl SiParameters {
         let at_most = Bound::AtMost(Quantity::RadiusM, radius);
         within(Quantity::OffsetM, offset, at_most)?;
         let inertia = Quantity::InertiaKgM2.check(self.inertia_kg_m2)?;
+        let resistance = Quantity::RollingResistanceM.check(self.rolling_resistance_m)?;
         let units = self.units()?;
         let plain = |quantity: Quantity, value| units.from_si(quantity.dimension(), value);
         let parameters = HoopParameters {
@@ -126,6 +130,7 @@ impl SiParameters {
             inertia: plain(Quantity::InertiaKgM2, inertia),
             mu_s: self.mu_s,
             mu_k: self.mu_k,
+            rolling_resistance: plain(Quantity::RollingResistanceM, resistance),
             slope: self.slope,
             restitution: self.restitution,
             restitution_law: self.restitution_law,
@@ -146,6 +151,7 @@ impl SiParameters {
             gravity_m_per_s2: units.gravity_m_per_s2,
             mu_s: hoop.mu_s,
             mu_k: hoop.mu_k,
+            rolling_resistance_m: si(Quantity::RollingResistanceM, hoop.rolling_resistance),
             slope: hoop.slope,
             restitution: hoop.restitution,
             restitution_law: hoop.restitution_law,
@@ -232,6 +238,7 @@ impl SiSetup {
             Quantity::GravityMPerS2 => &mut hoop.gravity_m_per_s2,
             Quantity::MuS => &mut hoop.mu_s,
             Quantity::MuK => &mut hoop.mu_k,
+            Quantity::RollingResistanceM => &mut hoop.rolling_resistance_m,
             Quantity::Slope => &mut hoop.slope,
             Quantity::Theta => &mut start.theta_rad,
             Quantity::ThetaRateRadPerS => &mut start.theta_rate_rad_per_s,
@@ -243,6 +250,7 @@ impl SiSetup {
             | Quantity::MassRatio
             | Quantity::Offset
             | Quantity::Inertia
+            | Quantity::RollingResistance
             | Quantity::ThetaRate
             | Quantity::Slip
             | Quantity::GapRate

@@ -23,6 +23,27 @@ named! {
             "|B|/A − μs where the slip of the impact ends",
             Dimension::Ratio
         );
+        /// D_χ of rolling with resistance, where the contact does not slip.
+        ResistedDenominator = 6, "resisted_denominator" => ("D_χ", Dimension::Ratio);
+        /// η′ where the rotation of an impact ends: which of both ends first.
+        ImpactOrder = 7, "slip_where_rotation_ends" => (
+            "η′ where the rotation of the impact ends",
+            Dimension::Velocity
+        );
+        /// The coefficient of restitution, less that with which an impact ends just before its gap
+        /// rate falls.
+        RestitutionOfFall = 8, "restitution_of_fall" => (
+            "e, less that of an impact that ends just before its gap rate falls",
+            Dimension::Ratio
+        );
+        /// μs N − |F| of rolling, and μs − |tan α| of rest, with rolling resistance.
+        StaticFriction = 9, "static_friction" => ("μs N − |F|", Dimension::Ratio);
+        /// χ − |M|/N of rest and of skidding.
+        HeldAngle = 10, "held_angle" => ("χ − |M|/N", Dimension::Ratio);
+        /// N of rolling with rolling resistance.
+        NormalForce = 11, "normal_force" => ("N of rolling", Dimension::Ratio);
+        /// The acceleration with which a velocity leaves zero in the direction of a mode.
+        Onset = 12, "onset" => ("the acceleration from rest", Dimension::Ratio);
     }
 }
 

@@ -1,4 +1,4 @@
-//! The four modes of motion: the solution of each in time, and the events that end it.
+//! The modes of motion: the solution of each in time, and the events that end it.
 //!
 //! [`Phase::solution`](crate::Phase::solution) returns the solution of a phase, which gives the state at any time. A rolling solution
 //! also gives its orbit in the (θ, θ′) plane, with the end of the orbit ([`RollingEnd`]) or its
@@ -20,12 +20,14 @@ use crate::model::{Hoop, Mode, SlipDirection, State};
 
 pub(crate) mod flight;
 pub(crate) mod gliding;
+pub(crate) mod resisted;
 pub(crate) mod rolling;
 pub(crate) mod sample;
 pub(crate) mod sliding;
 
 pub(crate) use self::flight::{FlightExtent, TakeOff};
 pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
+pub(crate) use self::resisted::{ResistedBudget, ResistedEnd, RollingSeries};
 pub(crate) use self::rolling::{Levels, MasslessLimit, Stiction, static_friction_holds};
 pub(crate) use self::sample::{Instant, Sample};
 pub(crate) use self::sliding::{
@@ -35,6 +37,7 @@ pub(crate) use self::sliding::{
 
 pub use self::flight::Flight;
 pub use self::gliding::Gliding;
+pub use self::resisted::{ResistedRolling, Rest, Skidding};
 pub use self::rolling::{
     GrazingOrbit, Recurrence, RecurrenceKind, Rolling, RollingEnd, RollingLimit, RollingOrbit,
 };
@@ -49,31 +52,40 @@ pub use crate::model::undecided::{Margin, Undecided};
 pub enum PhaseSolution {
     /// Rolling along an orbit.
     Rolling(Box<Rolling>),
+    /// Rolling in one direction with rolling resistance.
+    ResistedRolling(Box<ResistedRolling>),
     /// Sliding in one direction.
     Sliding(Box<Sliding>),
     /// Gliding of a massless hoop.
     Gliding(Gliding),
     /// Flight.
     Flight(Flight),
+    /// Skidding, which rolling resistance keeps from turning.
+    Skidding(Skidding),
+    /// Rest, in which rolling resistance holds the hoop.
+    Rest(Rest),
 }
 
 impl PhaseSolution {
     /// Mode of motion.
     pub(crate) const fn mode(&self) -> Mode {
         match self {
-            Self::Rolling(_) => Mode::Rolling,
+            Self::Rolling(_) | Self::ResistedRolling(_) => Mode::Rolling,
             Self::Sliding(_) => Mode::Sliding,
             Self::Gliding(_) => Mode::Gliding,
             Self::Flight(_) => Mode::Flight,
+            Self::Skidding(_) => Mode::Skidding,
+            Self::Rest(_) => Mode::Rest,
         }
     }
 
-    /// Direction of slip; none for rolling and flight.
+    /// Direction of slip; none for rolling, rest and flight.
     pub(crate) fn direction(&self) -> Option<SlipDirection> {
         match self {
             Self::Sliding(slide) => Some(slide.direction()),
             Self::Gliding(glide) => glide.direction(),
-            Self::Rolling(_) | Self::Flight(_) => None,
+            Self::Skidding(skid) => Some(skid.direction()),
+            Self::Rolling(_) | Self::ResistedRolling(_) | Self::Flight(_) | Self::Rest(_) => None,
         }
     }
 
@@ -84,6 +96,9 @@ impl PhaseSolution {
             Self::Sliding(slide) => slide.state(elapsed),
             Self::Gliding(glide) => glide.state(elapsed),
             Self::Flight(flight) => flight.state(elapsed),
+            Self::ResistedRolling(rolling) => rolling.state(elapsed),
+            Self::Skidding(skid) => skid.state(elapsed),
+            Self::Rest(rest) => rest.state(elapsed),
         }
     }
 
@@ -94,6 +109,9 @@ impl PhaseSolution {
             Self::Sliding(slide) => slide.sample(hoop, state),
             Self::Gliding(glide) => glide.sample(hoop, state),
             Self::Flight(flight) => flight.sample(hoop, state, elapsed),
+            Self::ResistedRolling(rolling) => rolling.sample(hoop, state),
+            Self::Skidding(skid) => skid.sample(hoop, state),
+            Self::Rest(rest) => rest.sample(hoop, state),
         }
     }
 }

@@ -12,7 +12,7 @@ pub struct Sample {
     pub state: State,
     /// Mode of motion.
     pub mode: Mode,
-    /// Direction of slip; none for rolling and flight.
+    /// Direction of slip; none for rolling, rest and flight.
     pub direction: Option<SlipDirection>,
     /// Angular acceleration θ″.
     pub theta_acceleration: f64,

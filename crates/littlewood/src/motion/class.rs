@@ -39,6 +39,8 @@ named! {
         Invalid = 11, "invalid" => "invalid parameters";
         /// Not computed.
         NotComputed = 12, "not_computed" => "not computed";
+        /// Rolling resistance stops it in contact.
+        Rests = 13, "rests" => "rests";
     }
 }
 
@@ -77,6 +79,7 @@ impl Class {
             OutcomeKind::Inconsistent | OutcomeKind::Ambiguous | OutcomeKind::Singular => {
                 Self::Painleve
             }
+            OutcomeKind::Rests => Self::Rests,
             OutcomeKind::Unresolved => Self::Unresolved,
             OutcomeKind::NotComputed => Self::NotComputed,
             OutcomeKind::Invalid => Self::Invalid,
@@ -87,7 +90,11 @@ impl Class {
     pub const fn stays_in_contact(self) -> bool {
         matches!(
             self,
-            Self::RollsForever | Self::RepeatsForever | Self::SlipsForever | Self::InContact
+            Self::RollsForever
+                | Self::RepeatsForever
+                | Self::SlipsForever
+                | Self::InContact
+                | Self::Rests
         )
     }
 }

@@ -4,7 +4,7 @@ use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
 use crate::model::{Body, Hoop, Limits, Mode, ParameterError, SlipDirection, Start, State, named};
 use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
-use crate::walk::{Arrival, Candidates, NextMotion, Origin, RelativeStart};
+use crate::walk::{Arrival, Candidates, NextMotion, Origin, RelativeStart, ResistedMotion};
 
 named! {
     /// The region of the state space that contains a start.
@@ -102,6 +102,7 @@ impl Hoop {
     /// # Errors
     /// A start that is not finite.
     pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
+        self.check_built()?;
         self.check(start)?;
         let (origin, RelativeStart { state, gap_rate }, _) =
             Origin::of(self, &start, Limits::default());
@@ -149,6 +150,16 @@ impl Hoop {
                 NextMotion::Fly { .. } | NextMotion::Settle { .. } => {
                     (StartRegion::LossOfContact, Some(Mode::Flight), None)
                 }
+                NextMotion::Resisted { motion, .. } => {
+                    let region = match motion {
+                        ResistedMotion::Rest | ResistedMotion::Roll(_) => StartRegion::Rolling,
+                        ResistedMotion::Skid(_) | ResistedMotion::Slide { .. } => {
+                            StartRegion::Slipping
+                        }
+                    };
+                    (region, Some(motion.mode()), motion.direction())
+                }
+                NextMotion::Undecided(_) => (StartRegion::Ambiguous, None, None),
                 NextMotion::None(candidates) => {
                     found.candidates = Some(origin.candidates(*candidates));
                     (StartRegion::Inconsistent, None, None)

@@ -7,6 +7,7 @@ use thiserror::Error;
 
 use crate::model::{Dimension, Mode, Quantity, SlipDirection, State, getters, named};
 use crate::modes::Sample;
+use crate::motion::derivatives::differentiable;
 use crate::motion::summary::Summary;
 use crate::walk::{OutcomeKind, PhaseSequence};
 
@@ -20,7 +21,7 @@ named! {
         /// Mode of motion.
         Mode = 1, "mode" => (None, "", "mode of motion");
         /// Direction of slip.
-        Direction = 2, "direction" => (None, "σ", "sign of the slip velocity; 0 for rolling and flight");
+        Direction = 2, "direction" => (None, "σ", "sign of the slip velocity; 0 for rolling, rest and flight");
         /// Angle θ.
         Theta = 3, "theta" => (Some(Dimension::Angle), "θ", "angle of the particle from the upward vertical");
         /// Rate θ′.
@@ -176,6 +177,8 @@ named! {
         ImpactEnergyLost = 15, "impact_energy_lost" => (ColumnType::Real, Dimension::Energy, "energy lost in impacts");
         /// [`Summary::settle_time`].
         SettleTime = 16, "settle_time" => (ColumnType::Real, Dimension::Time, "time from which on the rim stays at the plane");
+        /// [`Summary::half_swings`].
+        HalfSwings = 17, "half_swings" => (ColumnType::Count, Dimension::Ratio, "number of half swings against rolling resistance");
     }
 }
 
@@ -184,7 +187,7 @@ named! {
 pub struct DerivativeColumn {
     /// The number, one of [`SummaryColumn::reals`].
     pub number: SummaryColumn,
-    /// The quantity, one of [`Quantity::HOOP`] or [`Quantity::START`].
+    /// The quantity, one that is [`differentiable`].
     pub quantity: Quantity,
 }
 
@@ -193,7 +196,7 @@ pub struct DerivativeColumn {
 #[error(
     "there is no derivative named '{name}': it is NUMBER_by_QUANTITY, with one of {}, and one of {}",
     SummaryColumn::reals().map(SummaryColumn::name).collect::<Vec<_>>().join(", "),
-    Quantity::HOOP.into_iter().chain(Quantity::START).map(Quantity::name).collect::<Vec<_>>().join(", ")
+    differentiable(true).map(Quantity::name).collect::<Vec<_>>().join(", ")
 )]
 pub struct UnknownDerivative {
     /// The name.
@@ -212,12 +215,9 @@ impl FromStr for DerivativeColumn {
     fn from_str(name: &str) -> Result<Self, Self::Err> {
         let parts = name.split_once("_by_").and_then(|(number, quantity)| {
             let number = SummaryColumn::reals().find(|column| column.name() == number)?;
-            let quantities = Quantity::HOOP.into_iter().chain(Quantity::START);
             Some((
                 number,
-                quantities
-                    .into_iter()
-                    .find(|known| known.name() == quantity)?,
+                differentiable(true).find(|known| known.name() == quantity)?,
             ))
         });
         let (number, quantity) = parts.ok_or_else(|| UnknownDerivative {
@@ -293,6 +293,7 @@ impl SummaryColumn {
             Self::Landings => return Field::Count(&mut summary.landings),
             Self::ImpactEnergyLost => &mut summary.impact_energy_lost,
             Self::SettleTime => &mut summary.settle_time,
+            Self::HalfSwings => return Field::Count(&mut summary.half_swings),
         })
     }
 

@@ -14,7 +14,9 @@ use crate::model::{
 };
 use crate::modes::{Entry, Flight, GlideEntry, PhasePoint, PhaseSolution, StaticLimit, TakeOff};
 use crate::motion::trajectory::{Phase, Trajectory};
-use crate::walk::{Arrival, Exact, NextMotion, Outcome, PhaseEnd, PhaseResult, Solver, Transition};
+use crate::walk::{
+    Arrival, Exact, NextMotion, Outcome, PhaseEnd, PhaseResult, ResistedMotion, Solver, Transition,
+};
 
 /// Estimated numbers of significant decimal digits of the state at a transition, from 0 to 15.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +79,7 @@ impl Hoop {
         start: Start,
         limits: Limits,
     ) -> Result<Vec<Option<Digits>>, ParameterError> {
+        self.check_built()?;
         let motion = self.simulate(start, limits)?;
         let is_on_limit = motion.starts_on_static_limit();
         let motion = motion.transitions;
@@ -264,9 +267,9 @@ impl PerturbedSolver<'_> {
         let least = f64::EPSILON * steps.sqrt();
         let moved = |value: f64, size: f64| self.signs.moved(value, least * size);
         let (h, friction) = match mode {
-            Mode::Rolling => (0.0, 0.0),
+            Mode::Rolling | Mode::Rest => (0.0, 0.0),
             Mode::Flight => (self.hoop().h(), 0.0),
-            Mode::Sliding | Mode::Gliding => (self.hoop().h(), self.hoop().mu_k()),
+            Mode::Sliding | Mode::Gliding | Mode::Skidding => (self.hoop().h(), self.hoop().mu_k()),
         };
         let duration = to.time - from.time;
         let rate = from.theta_rate.abs().max(to.theta_rate.abs());
@@ -277,7 +280,7 @@ impl PerturbedSolver<'_> {
             Mode::Rolling => (to.theta / to.theta_rate)
                 .abs()
                 .min(duration / f64::EPSILON),
-            Mode::Sliding | Mode::Gliding | Mode::Flight => 0.0,
+            Mode::Sliding | Mode::Gliding | Mode::Flight | Mode::Rest | Mode::Skidding => 0.0,
         };
         let along = if late == 0.0 {
             0.0
@@ -325,7 +328,12 @@ impl PerturbedSolver<'_> {
         }
         let steps = match &solution {
             PhaseSolution::Sliding(slide) => slide.steps() as f64,
-            PhaseSolution::Rolling(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => 1.0,
+            PhaseSolution::ResistedRolling(rolling) => rolling.steps() as f64,
+            PhaseSolution::Rolling(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Flight(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => 1.0,
         };
         match &mut end {
             PhaseEnd::Rest { point: state, .. }
@@ -452,6 +460,17 @@ impl Solver for PerturbedSolver<'_> {
     fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         // The entry of a glide is tied to its state, so the start is not perturbed.
         self.perturbed(state, self.exact.glide(state, body, entry))
+    }
+
+    fn resisted(
+        &self,
+        state: &State,
+        body: &Heavy,
+        motion: ResistedMotion,
+        half_swings: usize,
+    ) -> PhaseResult<Self> {
+        // The motion is tied to the velocities that are zero, so the start is not perturbed.
+        self.perturbed(state, self.exact.resisted(state, body, motion, half_swings))
     }
 }
 

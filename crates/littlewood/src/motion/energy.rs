@@ -1,6 +1,5 @@
 //! Where the energy of the start has gone.
 
-use crate::model::{Hoop, Mode};
 use crate::modes::Sample;
 use crate::motion::trajectory::Trajectory;
 
@@ -12,8 +11,10 @@ pub struct EnergyParts {
     pub kinetic: f64,
     /// Potential, U of (2.8): negative with the particle below C.
     pub potential: f64,
-    /// Lost to friction in sliding.
+    /// Lost to friction in slip.
     pub friction: f64,
+    /// Lost to rolling resistance.
+    pub rolling_resistance: f64,
     /// Lost in impacts; negative where Newton's law has gained more.
     pub impacts: f64,
     /// At the start.
@@ -22,51 +23,63 @@ pub struct EnergyParts {
 
 /// The losses of a motion up to each of its phases.
 #[derive(Clone, Debug)]
-pub struct EnergyLedger {
-    hoop: Hoop,
+pub struct EnergyLedger<'a> {
+    trajectory: &'a Trajectory,
     start: f64,
     phases: Vec<Entry>,
 }
 
-/// The start of a phase: its time and energy, and what had been lost to friction and in impacts.
+/// The start of a phase: its time and energy, and what had been lost before.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     time: f64,
     energy: f64,
+    lost: Losses,
+}
+
+#[derive(Clone, Copy, Debug, Default)]
+struct Losses {
     friction: f64,
+    rolling_resistance: f64,
     impacts: f64,
 }
 
-impl EnergyLedger {
+impl Losses {
+    /// Adds what a phase has lost, with the part that rolling resistance took.
+    const fn add(&mut self, lost: f64, rolling_resistance: f64) {
+        self.friction += (lost - rolling_resistance).max(0.0);
+        self.rolling_resistance += rolling_resistance;
+    }
+}
+
+impl<'a> EnergyLedger<'a> {
     /// None for a motion that does not begin.
-    pub fn new(trajectory: &Trajectory) -> Option<Self> {
-        let hoop = *trajectory.hoop();
-        let (mut friction, mut impacts) = (0.0, 0.0);
+    pub fn new(trajectory: &'a Trajectory) -> Option<Self> {
+        let mut lost = Losses::default();
         // A jam at the start ends no phase.
         if let Some(first) = trajectory
             .transitions()
             .first()
             .filter(|first| first.from.is_none())
         {
-            impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
+            lost.impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
         }
-        let start = trajectory.phases().first()?.first().energy + impacts;
+        let start = trajectory.phases().first()?.first().energy + lost.impacts;
         let mut phases = Vec::with_capacity(trajectory.phases().len());
         for phase in trajectory.phases() {
             phases.push(Entry {
                 time: phase.start().time,
                 energy: phase.first().energy,
-                friction,
-                impacts,
+                lost,
             });
-            friction += phase.energy_lost();
+            lost.add(phase.energy_lost(), phase.rolling_resistance_energy_lost());
             let impact = trajectory
                 .end_of(phase)
                 .and_then(|transition| transition.impact);
-            impacts += impact.map_or(0.0, |impact| impact.energy_lost());
+            lost.impacts += impact.map_or(0.0, |impact| impact.energy_lost());
         }
         Some(Self {
-            hoop,
+            trajectory,
             start,
             phases,
         })
@@ -74,20 +87,33 @@ impl EnergyLedger {
 
     /// The parts at an instant: at a transition of the phase after it.
     pub fn parts(&self, sample: &Sample) -> Option<EnergyParts> {
+        let hoop = self.trajectory.hoop();
         let time = sample.state.time;
         let after = self.phases.partition_point(|entry| entry.time <= time);
         let place = after.max(1) - 1;
-        let entry = self.phases.get(place)?;
-        let potential = sample.potential_energy(&self.hoop);
-        let slides = match sample.mode {
-            Mode::Sliding => (entry.energy - sample.energy).max(0.0),
-            Mode::Rolling | Mode::Gliding | Mode::Flight => 0.0,
-        };
-        let (friction, impacts) = (entry.friction + slides, entry.impacts);
+        let (entry, phase) = (
+            self.phases.get(place)?,
+            self.trajectory.phases().get(place)?,
+        );
+        let potential = sample.potential_energy(hoop);
+        let mut lost = entry.lost;
+        if phase.loses_energy() {
+            let in_phase = (entry.energy - sample.energy).max(0.0);
+            lost.add(in_phase, phase.share_of_resistance(time, in_phase));
+        }
+        let Losses {
+            friction,
+            rolling_resistance,
+            impacts,
+        } = lost;
         // A part is a sum of energies, and so is each of what it is the difference of; what is lost
         // adds one for each phase and each impact before.
-        let size =
-            self.start.abs() + self.hoop.offset() + potential.abs() + friction + impacts.abs();
+        let size = self.start.abs()
+            + hoop.offset()
+            + potential.abs()
+            + friction
+            + rolling_resistance
+            + impacts.abs();
         let rounding = 4.0 * f64::EPSILON * size;
         let seen = |value: f64, count: usize| {
             if value.abs() > count as f64 * rounding {
@@ -100,11 +126,12 @@ impl EnergyLedger {
         // energy.
         let kinetic = Some(sample.energy - potential)
             .filter(|kinetic| kinetic.is_finite())
-            .unwrap_or(self.start - potential - friction - impacts);
+            .unwrap_or(self.start - potential - friction - rolling_resistance - impacts);
         Some(EnergyParts {
             kinetic: seen(kinetic, 1),
             potential: seen(potential, 1),
             friction: seen(friction, 2 * place + 1),
+            rolling_resistance: seen(rolling_resistance, 2 * place + 1),
             impacts: seen(impacts, 2 * place + 1),
             start: self.start,
         })
@@ -113,7 +140,7 @@ impl EnergyLedger {
     /// The scale of energies on which the parts of these samples have room one upon the other:
     /// from the least potential energy, up to that of the start and what a law of impact has
     /// gained. An energy stands on it at the same place as a part that ends there.
-    pub fn scale<'a>(&self, samples: impl IntoIterator<Item = &'a Sample>) -> [f64; 2] {
+    pub fn scale<'s>(&self, samples: impl IntoIterator<Item = &'s Sample>) -> [f64; 2] {
         samples
             .into_iter()
             .filter_map(|sample| self.parts(sample))

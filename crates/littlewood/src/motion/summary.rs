@@ -39,6 +39,9 @@ pub struct Summary {
     /// the last settling bounces. NaN if the rim never leaves the plane, or is off the plane at the
     /// end.
     pub settle_time: f64,
+    /// Number of half swings: rolling with rolling resistance from one turning point to the next.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub half_swings: u32,
     /// Whether P ≤ 0 occurred (Painlevé): no consistent motion, several, a singular slide, or a
     /// jam.
     pub painleve: bool,
@@ -71,6 +74,7 @@ impl Summary {
             landings: 0,
             impact_energy_lost: f64::NAN,
             settle_time: f64::NAN,
+            half_swings: 0,
             painleve: false,
         }
     }
@@ -88,12 +92,20 @@ pub(crate) struct SummaryRecorder<'a> {
     jump_height: f64,
     /// Gap rate after the last impact, if no phase has followed.
     gap_rate: f64,
+    /// Whether the next phase continues the last one with the rotation reversed, so that both are
+    /// one in the sequence.
+    turns_back: bool,
+    /// Whether the last phase rolls from a turning point.
+    swings: bool,
 }
 
 impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
     fn phase(&mut self, phase: PhaseRecord, solution: S) {
-        self.summary.sequence.push(phase.mode, phase.direction);
+        if !self.turns_back {
+            self.summary.sequence.push(phase.mode, phase.direction);
+        }
+        self.swings = phase.mode == Mode::Rolling && phase.start.theta_rate == 0.0;
         (self.flight, self.gap_rate) = (None, 0.0);
         let Some(flight) = solution.flight() else {
             return;
@@ -111,6 +123,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
     #[inline]
     fn transition(&mut self, event: &Event, impact: Option<&Impact>, _: Option<SlipDirection>) {
         self.summary.transitions = self.summary.transitions.saturating_add(1);
+        self.turns_back = event.cause == Cause::TurningPoint && event.from == event.to;
         match event.cause {
             Cause::Slip if self.summary.first_slip_time.is_nan() => {
                 self.summary.first_slip_time = self.origin.time(event.state.time);
@@ -124,6 +137,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
                 }
                 self.summary.landings += 1;
             }
+            Cause::TurningPoint if self.swings => self.summary.half_swings += 1,
             Cause::Jam => self.summary.painleve = true,
             Cause::Slip
             | Cause::NormalForceZero
@@ -135,7 +149,8 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
             | Cause::ParticleAtBottom
             | Cause::ParticleAtTop
             | Cause::Singularity
-            | Cause::Settle => {}
+            | Cause::Settle
+            | Cause::TurningPoint => {}
         }
         if let Some(impact) = impact {
             (self.flight, self.gap_rate) = (None, impact.after.gap_rate);
@@ -173,6 +188,8 @@ impl<'a> SummaryRecorder<'a> {
             flight: None,
             jump_height: f64::NAN,
             gap_rate: 0.0,
+            turns_back: false,
+            swings: false,
         }
     }
 

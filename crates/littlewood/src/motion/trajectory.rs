@@ -30,7 +30,7 @@ getters! {
 }
 
 impl Phase {
-    /// Direction of slip; none for rolling and flight.
+    /// Direction of slip; none for rolling, rest and flight.
     pub fn direction(&self) -> Option<SlipDirection> {
         self.solution.direction()
     }
@@ -65,16 +65,21 @@ impl Phase {
         self.end.map_or(f64::INFINITY, |end| end.time)
     }
 
-    /// The sample at `time`, clamped to the phase.
-    fn at(&self, time: f64) -> Sample {
-        let elapsed = if time <= self.origin.time(self.start.time) {
+    /// Time from the start of the phase to `time`, clamped to the phase, in the units of the
+    /// solution.
+    fn elapsed(&self, time: f64) -> f64 {
+        if time <= self.origin.time(self.start.time) {
             0.0
         } else if time >= self.end_time() {
             self.relative_duration()
         } else {
             self.origin.elapsed(time) - self.start.time
-        };
-        self.relative_sample(elapsed)
+        }
+    }
+
+    /// The sample at `time`, clamped to the phase.
+    fn at(&self, time: f64) -> Sample {
+        self.relative_sample(self.elapsed(time))
     }
 
     /// Time since the start, and height, of the largest gap in a flight, also if the flight is cut
@@ -91,9 +96,12 @@ impl Phase {
     pub fn take_off_rate(&self) -> f64 {
         match &self.solution {
             PhaseSolution::Flight(flight) => self.origin.velocity(flight.take_off_rate()),
-            PhaseSolution::Rolling(_) | PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) => {
-                0.0
-            }
+            PhaseSolution::Rolling(_)
+            | PhaseSolution::ResistedRolling(_)
+            | PhaseSolution::Sliding(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => 0.0,
         }
     }
 
@@ -104,21 +112,59 @@ impl Phase {
             PhaseSolution::Rolling(rolling) => {
                 Some(self.origin.recurrence(rolling.orbit().recurrence()))
             }
-            PhaseSolution::Sliding(_) | PhaseSolution::Gliding(_) | PhaseSolution::Flight(_) => {
-                None
-            }
+            PhaseSolution::Sliding(_)
+            | PhaseSolution::ResistedRolling(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Flight(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => None,
         }
     }
 
-    /// Energy lost to friction during the phase.
+    /// Whether friction or rolling resistance takes energy.
+    pub(crate) fn loses_energy(&self) -> bool {
+        let (slips, turns) = match self.mode() {
+            Mode::Rolling => (false, true),
+            Mode::Sliding => (true, true),
+            Mode::Skidding => (true, false),
+            Mode::Gliding | Mode::Flight | Mode::Rest => (false, false),
+        };
+        slips && self.hoop.mu_k() > 0.0 || turns && self.hoop.rolling_resistance() > 0.0
+    }
+
+    /// Energy lost to friction and rolling resistance during the phase.
     pub fn energy_lost(&self) -> f64 {
-        if self.mode() != Mode::Sliding || self.hoop.mu_k() == 0.0 {
+        if !self.loses_energy() {
             return 0.0;
         }
         let energy = |state: State| energy(&self.hoop, &state, 0.0, 0.0);
         self.end.map_or(0.0, |end| {
             self.origin.force(energy(self.start) - energy(end))
         })
+    }
+
+    /// The part of the energy lost that rolling resistance took.
+    pub fn rolling_resistance_energy_lost(&self) -> f64 {
+        self.end.map_or(0.0, |_| {
+            self.share_of_resistance(self.end_time(), self.energy_lost())
+        })
+    }
+
+    /// The part that rolling resistance took of what the phase lost up to a time.
+    pub(crate) fn share_of_resistance(&self, time: f64, lost: f64) -> f64 {
+        let chi = self.hoop.rolling_resistance();
+        match &self.solution {
+            _ if chi == 0.0 => 0.0,
+            PhaseSolution::Sliding(slide) if self.hoop.mu_k() > 0.0 => self
+                .origin
+                .force(chi * slide.pressed_turn(self.elapsed(time))),
+            PhaseSolution::Sliding(_) | PhaseSolution::ResistedRolling(_) => lost,
+            PhaseSolution::Rolling(_)
+            | PhaseSolution::Gliding(_)
+            | PhaseSolution::Flight(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => 0.0,
+        }
     }
 
     /// Whether the phase is gliding that is not the limit of sliding as the inertia of a heavy hoop
@@ -204,9 +250,17 @@ impl Trajectory {
         self.phases.last().map_or(self.start.time, Phase::end_time)
     }
 
-    /// Energy lost to sliding friction and in impacts.
+    /// Energy lost to friction, rolling resistance and impacts.
     pub fn energy_lost(&self) -> f64 {
         self.phases.iter().map(Phase::energy_lost).sum::<f64>() + self.impact_energy_lost()
+    }
+
+    /// Energy lost to rolling resistance, but for impacts.
+    pub fn rolling_resistance_energy_lost(&self) -> f64 {
+        self.phases
+            .iter()
+            .map(Phase::rolling_resistance_energy_lost)
+            .sum()
     }
 
     /// Energy lost in impacts.

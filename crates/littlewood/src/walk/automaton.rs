@@ -39,6 +39,8 @@ named! {
         Settle = 11, "settle" => ("settles", false);
         /// Sliding with P ≤ 0: an impact without collision ends the slip (Painlevé).
         Jam = 12, "jam" => ("jam", false);
+        /// Rolling or sliding with rolling resistance: θ′ = 0.
+        TurningPoint = 13, "turning_point" => ("turning point", true);
     }
 }
 
@@ -97,7 +99,7 @@ macro_rules! edges {
 
 /// All edges.
 pub const EDGES: &[Edge] = {
-    use Mode::{Flight, Gliding, Rolling, Sliding};
+    use Mode::{Flight, Gliding, Rest, Rolling, Skidding, Sliding};
     edges! {
         Heavy: Some(Rolling), Slip, Some(Sliding) => "|F| = mu_s N and |F| - mu_s N grows", "sigma = -sign F", "(2.13), 2(c)";
         Heavy: Some(Rolling), Slip, Some(Flight) => "|F| = mu_s N and |F| - mu_s N grows, h cos(theta) theta'^2 > cos(alpha)", "none", "docs/theory/contact.md";
@@ -116,10 +118,39 @@ pub const EDGES: &[Edge] = {
         Heavy: None, Jam, Some(Flight) => "P <= 0", "theta', eta' = 0, gap' by the impact", "Painleve";
         Heavy: Some(Sliding), Jam, Some(Flight) => "P = 0, N > 0", "theta', eta' = 0, gap' by the impact", "Painleve";
         Heavy: Some(Sliding), Singularity, None => "P = 0, N > 0, no e", "none", "Painleve";
+        Heavy: Some(Flight), Landing, Some(Rest) => "gap = 0, falling, e = 0, chi > 0", "theta' = eta' = 0 by the impact", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Flight), Landing, Some(Skidding) => "gap = 0, falling, e = 0, chi > 0", "theta' = 0, eta' by the impact", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Flight), Settle, Some(Rest) => "bounces accumulate, chi > 0", "theta' = eta' = 0 by the sum of the impacts", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Flight), Settle, Some(Skidding) => "bounces accumulate, chi > 0", "theta' = 0, eta' by the sum of the impacts", "docs/theory/rolling-resistance.md";
+        Heavy: None, Jam, Some(Rest) => "P <= 0 or D_chi < 0, e = 0", "theta' = eta' = 0 by the impact", "docs/theory/rolling-resistance.md";
+        Heavy: None, Jam, Some(Skidding) => "P <= 0 or D_chi < 0, e = 0", "theta' = 0, eta' by the impact", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Rolling), TurningPoint, Some(Rest) => "theta' = 0 and |h sin(theta) + (1 + h cos(theta)) tan(alpha)| <= chi", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Rolling), TurningPoint, Some(Rolling) => "theta' = 0 outside the band of rest", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Rolling), TurningPoint, Some(Sliding) => "theta' = 0 and |F_roll| > mu_s N_roll", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Rolling), TurningPoint, Some(Skidding) => "theta' = 0 and |tan(alpha)| > mu_s", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Rolling), Slip, None => "|F| = mu_s N, chi > 0, no motion is consistent, no e", "none", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Sliding), TurningPoint, Some(Sliding) => "theta' = 0", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Sliding), TurningPoint, Some(Skidding) => "theta' = 0 and |h sin(theta) - sigma mu_k (1 + h cos(theta))| <= chi", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Sliding), Stick, None => "eta' = 0, chi > 0, no motion is consistent, no e", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Skidding), Stick, Some(Rest) => "eta' = 0 and |h sin(theta) + (1 + h cos(theta)) tan(alpha)| <= chi", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Skidding), Stick, Some(Rolling) => "eta' = 0 outside the band of rest", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Skidding), Reversal, Some(Skidding) => "eta' = 0 and |tan(alpha)| > mu_s", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Heavy: Some(Skidding), Reversal, Some(Sliding) => "eta' = 0 and |F_roll| > mu_s N_roll", "eta' = 0", "docs/theory/rolling-resistance.md";
         Massless: Some(Rolling), Slip, Some(Gliding) => "|tan(theta/2)| = mu_s, leaving", "N = F = 0", "(3.9), 3(d)";
         Massless: Some(Rolling), NormalForceZero, Some(Gliding) => "theta'^2 = 1, growing", "N = F = 0", "(3.8), 3(d)";
         Massless: Some(Gliding), Stick, Some(Rolling) => "eta' = 0 inside R", "eta' = 0", "(3.10), 3(e)";
         Massless: Some(Gliding), Reversal, Some(Gliding) => "eta' = 0 outside R", "sigma = -sigma", "3(e)";
+        Massless: Some(Rolling), TurningPoint, Some(Rest) => "theta' = 0 and |l sin(theta) + (1 + l cos(theta)) tan(alpha)| <= chi", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Rolling), TurningPoint, Some(Rolling) => "theta' = 0 outside the band of rest", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Rolling), TurningPoint, Some(Gliding) => "theta' = 0, and friction gives way", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Rolling), TurningPoint, Some(Skidding) => "theta' = 0 and |tan(alpha)| > mu_s", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Gliding), TurningPoint, Some(Gliding) => "theta' = 0", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Gliding), TurningPoint, Some(Skidding) => "theta' = 0 and |l sin(theta) - sigma mu_k (1 + l cos(theta))| <= chi", "theta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Gliding), Stick, None => "eta' = 0 and D_chi < 0", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Skidding), Stick, Some(Rest) => "eta' = 0 and |l sin(theta) + (1 + l cos(theta)) tan(alpha)| <= chi", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Skidding), Stick, Some(Rolling) => "eta' = 0 outside the band of rest", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Skidding), Reversal, Some(Skidding) => "eta' = 0 and |tan(alpha)| > mu_s", "eta' = 0", "docs/theory/rolling-resistance.md";
+        Massless: Some(Skidding), Reversal, Some(Gliding) => "eta' = 0, and friction gives way", "eta' = 0", "docs/theory/rolling-resistance.md";
         Massless: Some(Gliding), ParticleAtPlane, None => "theta = +-pi, l = 1", "none", "(3.20)";
         Massless: Some(Gliding), ParticleAtBottom, None => "theta = +-pi, l < 1", "none", "(3.20)";
         Massless: Some(Gliding), ParticleAtTop, None => "theta = 0 with l sin(theta) theta' not 0", "none", "(3.18)";

@@ -10,19 +10,28 @@ use crate::mechanics::{
     ContactForces, RollingLaw, Settling, SlidingLaw, contact, contact_rounding, leaves_plane,
     slip_acceleration_at_rest,
 };
-use crate::model::{Body, Detail, Dimension, Heavy, Hoop, Massless, Mode, SlipDirection, State};
+use crate::model::{
+    Body, Detail, Dimension, Heavy, Hoop, Massless, Mode, SlipDirection, State, Undecided,
+};
 use crate::modes::{
     Entry, GlideEntry, MasslessLimit, Onset, PhasePoint, RollingLimit, RollingOrbit, StaticLimit,
     Stiction, TakeOff,
 };
+use crate::walk::resisted::{self, Held, ResistedMotion};
 
 /// The candidate motions at a state, and the quantities that decide between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Candidates {
+    /// Rest is consistent (rolling resistance).
+    pub rest: bool,
     /// Rolling is consistent.
     pub rolling: bool,
+    /// Skidding with σ = −1 is consistent (rolling resistance).
+    pub skidding_negative: bool,
+    /// Skidding with σ = +1 is consistent (rolling resistance).
+    pub skidding_positive: bool,
     /// Sliding with σ = −1 is consistent.
     pub sliding_negative: bool,
     /// Sliding with σ = +1 is consistent.
@@ -40,9 +49,16 @@ pub struct Candidates {
 }
 
 impl Candidates {
-    const fn none(rolling_forces: ContactForces, contact: f64, solvability: [f64; 2]) -> Self {
+    pub(crate) const fn none(
+        rolling_forces: ContactForces,
+        contact: f64,
+        solvability: [f64; 2],
+    ) -> Self {
         Self {
+            rest: false,
             rolling: false,
+            skidding_negative: false,
+            skidding_positive: false,
             sliding_negative: false,
             sliding_positive: false,
             flight: false,
@@ -85,7 +101,16 @@ impl Candidates {
     /// The consistent motions, with their direction of slip.
     pub fn consistent(&self) -> impl Iterator<Item = (Mode, Option<SlipDirection>)> {
         [
+            (self.rest, (Mode::Rest, None)),
             (self.rolling, (Mode::Rolling, None)),
+            (
+                self.skidding_negative,
+                (Mode::Skidding, Some(SlipDirection::Negative)),
+            ),
+            (
+                self.skidding_positive,
+                (Mode::Skidding, Some(SlipDirection::Positive)),
+            ),
             (
                 self.sliding_negative,
                 (Mode::Sliding, Some(SlipDirection::Negative)),
@@ -127,8 +152,15 @@ pub(crate) enum NextMotion {
         body: Heavy,
         settling: Box<Settling>,
     },
+    /// In contact with rolling resistance.
+    Resisted {
+        body: Heavy,
+        motion: ResistedMotion,
+    },
     None(Box<Candidates>),
     Several(Box<Candidates>),
+    /// Rounding decides between motions.
+    Undecided(Undecided),
 }
 
 impl NextMotion {
@@ -140,8 +172,12 @@ impl NextMotion {
                     body,
                     take_off: TakeOff::Grazing,
                 },
+                _ if hoop.rolling_resistance() > 0.0 => {
+                    resisted::next_motion(hoop, &body, state, arrival)
+                }
                 Arrival::Start
                 | Arrival::InContact
+                | Arrival::Held(_)
                 | Arrival::GlideAtRest { .. }
                 | Arrival::RollingLimit(_)
                 | Arrival::BackOnLimit(_) => select_mode(
@@ -151,6 +187,9 @@ impl NextMotion {
                     &exact_inputs(hoop, &body, state, arrival),
                 ),
             },
+            Body::Massless(body) if hoop.rolling_resistance() > 0.0 => {
+                resisted::massless(hoop, &body, state, arrival)
+            }
             Body::Massless(body) => massless(hoop, &body, state, arrival),
         }
     }
@@ -161,16 +200,23 @@ impl NextMotion {
             Self::Slide { .. } => Some(Mode::Sliding),
             Self::Glide { .. } => Some(Mode::Gliding),
             Self::Fly { .. } | Self::Settle { .. } => Some(Mode::Flight),
-            Self::None(_) | Self::Several(_) => None,
+            Self::Resisted { motion, .. } => Some(motion.mode()),
+            Self::None(_) | Self::Several(_) | Self::Undecided(_) => None,
         }
     }
 
     /// The direction of slip, if it is known before the phase is solved.
     pub(crate) const fn direction(&self) -> Option<SlipDirection> {
-        if let Self::Slide { direction, .. } = self {
-            Some(*direction)
-        } else {
-            None
+        match self {
+            Self::Slide { direction, .. } => Some(*direction),
+            Self::Resisted { motion, .. } => motion.direction(),
+            Self::Roll { .. }
+            | Self::Glide { .. }
+            | Self::Fly { .. }
+            | Self::Settle { .. }
+            | Self::None(_)
+            | Self::Several(_)
+            | Self::Undecided(_) => None,
         }
     }
 }
@@ -182,6 +228,8 @@ pub(crate) enum Arrival {
     Start,
     /// In contact, on no known boundary: at the end of a slide, or of an impact without rebound.
     InContact,
+    /// The same at the end of a phase with rolling resistance, which held some velocities at zero.
+    Held(Held),
     /// The slip of a glide vanishes. `presses` if the normal force of rolling is positive.
     GlideAtRest { presses: bool },
     /// Rolling reaches this limit.
@@ -191,6 +239,24 @@ pub(crate) enum Arrival {
     BackOnLimit(Option<SlipDirection>),
     /// The normal force of a slide vanishes, with w decreasing: only flight follows.
     LiftOff,
+}
+
+impl Arrival {
+    /// The velocities that the contact held at zero before.
+    pub(crate) const fn held(self) -> Held {
+        match self {
+            Self::Held(held) => held,
+            Self::RollingLimit(_) => Held {
+                slip: true,
+                turn: false,
+            },
+            Self::Start
+            | Self::InContact
+            | Self::GlideAtRest { .. }
+            | Self::BackOnLimit(_)
+            | Self::LiftOff => Held::NOTHING,
+        }
+    }
 }
 
 /// w = 1 − h cos θ θ′², and what follows from it.
@@ -242,20 +308,25 @@ pub(crate) fn may_wedge(body: &Heavy, sin: f64, u: f64) -> bool {
     (body.h * sin * u + body.pull()) * sin < 0.0
 }
 
+/// w at a state, and what follows from it.
+pub(crate) fn contact_margin(body: &Heavy, state: &State) -> ContactMargin {
+    let (sin, cos) = libm::sincos(state.theta);
+    let u = state.theta_rate * state.theta_rate;
+    let value = contact(1.0, body.h, cos * u);
+    let rounding = contact_rounding(body.h, cos, u);
+    ContactMargin {
+        value,
+        lifts_off: leaves_plane(value, rounding, body.h * sin * u, state.theta_rate),
+        grazes: value.abs() <= rounding,
+    }
+}
+
 /// Evaluates what selects the mode at a state.
 fn exact_inputs(hoop: &Hoop, body: &Heavy, state: &State, arrival: Arrival) -> ModeInputs {
-    let (theta, theta_rate) = (state.theta, state.theta_rate);
-    let (sin, cos) = libm::sincos(theta);
-    let u = theta_rate * theta_rate;
+    let theta = state.theta;
     let laws =
         SlipDirection::ALL.map(|direction| SlidingLaw::of_body(*body, hoop.mu_k(), direction));
-    let margin = laws[0].contact(theta, theta_rate);
-    let rounding = contact_rounding(body.h, cos, u);
-    let contact = ContactMargin {
-        value: margin,
-        lifts_off: leaves_plane(margin, rounding, body.h * sin * u, theta_rate),
-        grazes: margin.abs() <= rounding,
-    };
+    let contact = contact_margin(body, state);
     let at_rest = || SlipInputs::AtRest(exact_rest(hoop, body, state, arrival, contact));
     ModeInputs {
         contact,
@@ -313,7 +384,7 @@ fn exact_rest(
             direction,
             forces.friction.abs() - hoop.mu_s() * forces.normal,
         ),
-        Arrival::Start | Arrival::InContact | Arrival::GlideAtRest { .. } => {
+        Arrival::Start | Arrival::InContact | Arrival::Held(_) | Arrival::GlideAtRest { .. } => {
             let free_fall = contact
                 .grazes
                 .then(|| StaticLimit::in_free_fall(hoop, &place))
@@ -533,13 +604,9 @@ pub(crate) fn net_slip_force(
 
 fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> NextMotion {
     let (theta, theta_rate) = (state.theta, state.theta_rate);
-    let u = theta_rate * theta_rate;
-    let (sin, cos) = libm::sincos(theta);
-    let forces = RollingLaw::of(hoop).forces(theta, theta_rate);
-    let contact_margin = contact(1.0, body.offset, cos * u);
     let at_rest = state.slip == 0.0;
     let may_roll = match arrival {
-        Arrival::Start | Arrival::InContact => at_rest,
+        Arrival::Start | Arrival::InContact | Arrival::Held(_) => at_rest,
         Arrival::GlideAtRest { presses } => presses,
         Arrival::RollingLimit(_) | Arrival::BackOnLimit(_) | Arrival::LiftOff => false,
     };
@@ -555,6 +622,9 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
     match limit {
         Some(MasslessLimit::Rolls) => return NextMotion::Roll { on_limit: true },
         Some(MasslessLimit::Undecided) => {
+            let forces = RollingLaw::of(hoop).forces(theta, theta_rate);
+            let cos_u = libm::sincos(theta).1 * (theta_rate * theta_rate);
+            let contact_margin = contact(1.0, body.offset, cos_u);
             return NextMotion::Several(Box::new(Candidates {
                 rolling: true,
                 gliding: true,
@@ -569,13 +639,32 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
             }
         }
     }
+    glide(hoop, body, state, arrival, limit)
+}
+
+/// The glide from a state of a massless hoop that does not roll.
+pub(crate) fn glide(
+    hoop: &Hoop,
+    body: &Massless,
+    state: &State,
+    arrival: Arrival,
+    limit: Option<MasslessLimit>,
+) -> NextMotion {
+    let (sin, cos) = libm::sincos(state.theta);
+    let u = state.theta_rate * state.theta_rate;
+    let contact_margin = contact(1.0, body.offset, cos * u);
+    let at_rest = state.slip == 0.0;
     // At the top a glide requires the acceleration of free fall: ℓ̂ θ′² = 1.
     let falls_freely =
         || cos > 0.0 && contact_margin.abs() <= contact_rounding(body.offset, cos, u);
     if sin != 0.0 || falls_freely() {
         let entry = match (arrival, limit) {
             (
-                Arrival::Start | Arrival::InContact | Arrival::BackOnLimit(_) | Arrival::LiftOff,
+                Arrival::Start
+                | Arrival::InContact
+                | Arrival::Held(_)
+                | Arrival::BackOnLimit(_)
+                | Arrival::LiftOff,
                 _,
             ) if !at_rest => GlideEntry::Moving,
             (Arrival::RollingLimit(RollingLimit::NormalForce), _)
@@ -587,11 +676,16 @@ fn massless(hoop: &Hoop, body: &Massless, state: &State, arrival: Arrival) -> Ne
                 presses: Some(presses),
             },
             (
-                Arrival::Start | Arrival::InContact | Arrival::BackOnLimit(_) | Arrival::LiftOff,
+                Arrival::Start
+                | Arrival::InContact
+                | Arrival::Held(_)
+                | Arrival::BackOnLimit(_)
+                | Arrival::LiftOff,
                 _,
             ) => GlideEntry::FromRest { presses: None },
         };
         return NextMotion::Glide { body: *body, entry };
     }
+    let forces = RollingLaw::of(hoop).forces(state.theta, state.theta_rate);
     NextMotion::None(Box::new(Candidates::none(forces, contact_margin, [0.0; 2])))
 }

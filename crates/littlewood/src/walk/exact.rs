@@ -4,13 +4,18 @@ use core::cell::Cell;
 
 use crate::mechanics::{Settling, SlidingLaw};
 use crate::model::{
-    Heavy, Hoop, Limits, MAX_COORDINATE, Massless, Proof, Quantity, SlipDirection, State,
+    Heavy, Hoop, Limits, MAX_COORDINATE, MAX_TIME, Massless, Proof, Quantity, RotationDirection,
+    SlipDirection, State,
 };
 use crate::modes::{
-    Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Rolling, SlideBudget,
-    SlideLimit, Sliding, SlidingEnd, TakeOff, Undecided,
+    Entry, Flight, GlideEntry, Gliding, GlidingEnd, PhaseSolution, Recurrence, ResistedBudget,
+    ResistedEnd, ResistedRolling, Rest, Rolling, Skidding, SlideBudget, SlideLimit, Sliding,
+    SlidingEnd, TakeOff, Undecided,
 };
-use crate::walk::{Arrival, Cause, NextMotion, Outcome, PhaseEnd, PhaseResult, Solution, Solver};
+use crate::walk::{
+    Arrival, Cause, Held, NextMotion, Outcome, PhaseEnd, PhaseResult, ResistedMotion, Solution,
+    Solver,
+};
 
 #[derive(Clone, Debug)]
 pub(crate) struct Exact<'a> {
@@ -128,6 +133,11 @@ impl<'a> Exact<'a> {
                 cause: Cause::LiftOff,
                 arrival: Arrival::LiftOff,
             },
+            SlidingEnd::TurningPoint(point) => PhaseEnd::Event {
+                point,
+                cause: Cause::TurningPoint,
+                arrival: Arrival::Held(Held::NOTHING),
+            },
             SlidingEnd::Singular(state) => PhaseEnd::Singular {
                 state,
                 solvability: law.painleve(state.theta),
@@ -153,6 +163,126 @@ impl<'a> Exact<'a> {
                 };
                 self.endless(start, |allowed| slide.state(allowed), outcome)
             }
+        }
+    }
+
+    /// A slide by a law, with rolling resistance or without.
+    fn slide_by(
+        &self,
+        law: SlidingLaw,
+        state: &State,
+        direction: SlipDirection,
+        entry: Entry,
+        may_lift_off: bool,
+    ) -> PhaseResult<Self> {
+        let budget = SlideBudget {
+            time_left: self.allowed(state),
+            steps: self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE),
+        };
+        let (slide, end) = Sliding::run(law, *state, direction, entry, may_lift_off, budget);
+        if slide.work() > MAX_STEPS_OF_EASY_SLIDE {
+            self.steps
+                .set(self.steps.get().saturating_sub(slide.work()));
+        }
+        let end = self.slide_end(state, &slide, &law, end);
+        let solution = PhaseSolution::Sliding(Box::new(slide));
+        PhaseResult {
+            solution,
+            direction: Some(direction),
+            end,
+        }
+    }
+
+    /// Rolling in one direction with rolling resistance.
+    fn roll_resisted(
+        &self,
+        state: &State,
+        body: &Heavy,
+        direction: RotationDirection,
+    ) -> PhaseResult<Self> {
+        let budget = ResistedBudget {
+            time_left: self.allowed(state),
+            steps: MAX_STEPS_OF_HARD_SLIDES,
+        };
+        let (rolling, end) = ResistedRolling::run(self.hoop, body, *state, direction, budget);
+        let held = Held {
+            slip: true,
+            turn: false,
+        };
+        let end = match end {
+            ResistedEnd::TurningPoint(point) => PhaseEnd::Event {
+                point,
+                cause: Cause::TurningPoint,
+                arrival: Arrival::Held(held),
+            },
+            ResistedEnd::Limit { state, limit } => PhaseEnd::Event {
+                point: state,
+                cause: limit.cause(),
+                arrival: Arrival::RollingLimit(limit),
+            },
+            ResistedEnd::TimeLimit(state) => self.stopped(state),
+            ResistedEnd::StepLimit(state) => {
+                let limit = SlideLimit::One {
+                    steps: rolling.steps(),
+                    time_left: f64::INFINITY,
+                };
+                Self::without_event(state, Outcome::StepLimit { state, limit })
+            }
+            ResistedEnd::Unresolved { state, undecided } => Self::unresolved(state, undecided),
+            ResistedEnd::Endless(recurrence) => {
+                let outcome = Outcome::RollsForever {
+                    since: *state,
+                    recurrence,
+                };
+                self.endless(state, |allowed| rolling.state(allowed), outcome)
+            }
+        };
+        PhaseResult {
+            solution: PhaseSolution::ResistedRolling(Box::new(rolling)),
+            direction: None,
+            end,
+        }
+    }
+
+    /// A slip without rotation.
+    fn skid(&self, state: &State, body: &Heavy, direction: SlipDirection) -> PhaseResult<Self> {
+        let skid = Skidding::new(body, self.hoop.mu_k(), direction, *state);
+        let allowed = self.allowed(state);
+        let end = match skid.duration() {
+            Some(duration) if duration <= allowed.unwrap_or(MAX_TIME) => PhaseEnd::Rest {
+                point: skid.end(duration),
+                arrival: Arrival::Held(Held {
+                    slip: false,
+                    turn: true,
+                }),
+            },
+            Some(_) if allowed.is_some() => self.stopped(skid.state(allowed.unwrap_or(0.0))),
+            Some(time_left) => {
+                let limit = SlideLimit::One {
+                    steps: 0,
+                    time_left,
+                };
+                let state = *state;
+                Self::without_event(state, Outcome::StepLimit { state, limit })
+            }
+            None => {
+                let acceleration = skid.slip_acceleration();
+                let recurrence = if acceleration == 0.0 {
+                    Recurrence::Rest
+                } else {
+                    Recurrence::Downhill { acceleration }
+                };
+                let outcome = Outcome::SlidesForever {
+                    since: *state,
+                    recurrence,
+                };
+                self.endless(state, |allowed| skid.state(allowed), outcome)
+            }
+        };
+        PhaseResult {
+            solution: PhaseSolution::Skidding(skid),
+            direction: Some(direction),
+            end,
         }
     }
 }
@@ -239,22 +369,7 @@ impl Solver for Exact<'_> {
         may_lift_off: bool,
     ) -> PhaseResult<Self> {
         let law = SlidingLaw::of_body(*body, self.hoop.mu_k(), direction);
-        let budget = SlideBudget {
-            time_left: self.allowed(state),
-            steps: self.steps.get().max(MAX_STEPS_OF_EASY_SLIDE),
-        };
-        let (slide, end) = Sliding::run(law, *state, direction, entry, may_lift_off, budget);
-        if slide.work() > MAX_STEPS_OF_EASY_SLIDE {
-            self.steps
-                .set(self.steps.get().saturating_sub(slide.work()));
-        }
-        let end = self.slide_end(state, &slide, &law, end);
-        let solution = PhaseSolution::Sliding(Box::new(slide));
-        PhaseResult {
-            solution,
-            direction: Some(direction),
-            end,
-        }
+        self.slide_by(law, state, direction, entry, may_lift_off)
     }
 
     fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
@@ -278,11 +393,16 @@ impl Solver for Exact<'_> {
 
     fn glide(&self, state: &State, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
         let allowed = self.allowed(state);
-        let (glide, end) = Gliding::run(body, self.hoop.mu_k(), *state, entry, allowed);
+        let (glide, end) = Gliding::run(body, self.hoop.friction(), *state, entry, allowed);
         let end = match end {
             GlidingEnd::Rest { state, presses } => PhaseEnd::Rest {
                 point: state,
                 arrival: Arrival::GlideAtRest { presses },
+            },
+            GlidingEnd::TurningPoint(point) => PhaseEnd::Event {
+                point,
+                cause: Cause::TurningPoint,
+                arrival: Arrival::Held(Held::NOTHING),
             },
             GlidingEnd::Bottom(state) if body.offset < 1.0 => Self::ended(
                 Cause::ParticleAtBottom,
@@ -307,20 +427,66 @@ impl Solver for Exact<'_> {
             end,
         }
     }
+
+    fn resisted(
+        &self,
+        state: &State,
+        body: &Heavy,
+        motion: ResistedMotion,
+        half_swings: usize,
+    ) -> PhaseResult<Self> {
+        match motion {
+            ResistedMotion::Roll(rotation) => self.roll_resisted(state, body, rotation),
+            ResistedMotion::Skid(direction) => self.skid(state, body, direction),
+            ResistedMotion::Slide {
+                direction,
+                rotation,
+                entry,
+            } => {
+                let law = SlidingLaw {
+                    resistance: rotation.sign() * self.hoop.rolling_resistance(),
+                    ..SlidingLaw::of_body(*body, self.hoop.mu_k(), direction)
+                };
+                self.slide_by(law, state, direction, entry, true)
+            }
+            ResistedMotion::Rest => {
+                let rest = Rest::new(body, *state);
+                let outcome = Outcome::Rests {
+                    since: *state,
+                    half_swings,
+                };
+                PhaseResult {
+                    solution: PhaseSolution::Rest(rest),
+                    direction: None,
+                    end: self.endless(state, |allowed| rest.state(allowed), outcome),
+                }
+            }
+        }
+    }
 }
 
 impl Solution for PhaseSolution {
     fn flight(&self) -> Option<&Flight> {
         match self {
             Self::Flight(flight) => Some(flight),
-            Self::Rolling(_) | Self::Sliding(_) | Self::Gliding(_) => None,
+            Self::Rolling(_)
+            | Self::ResistedRolling(_)
+            | Self::Sliding(_)
+            | Self::Gliding(_)
+            | Self::Skidding(_)
+            | Self::Rest(_) => None,
         }
     }
 
     fn theta_range(&self) -> Option<(f64, f64)> {
         match self {
             Self::Sliding(slide) => Some(slide.theta_range()),
-            Self::Rolling(_) | Self::Gliding(_) | Self::Flight(_) => None,
+            Self::Rolling(_)
+            | Self::ResistedRolling(_)
+            | Self::Gliding(_)
+            | Self::Flight(_)
+            | Self::Skidding(_)
+            | Self::Rest(_) => None,
         }
     }
 }

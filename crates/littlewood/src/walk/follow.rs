@@ -41,6 +41,8 @@ struct Cursor<P> {
     /// Whether the motion slides without kinetic friction, on an orbit that does not leave the
     /// plane. Rounding of later states must not decide otherwise.
     stays_in_contact: bool,
+    /// Number of half swings with rolling resistance so far.
+    half_swings: usize,
 }
 
 impl<P> Cursor<P> {
@@ -59,6 +61,7 @@ impl<P> Cursor<P> {
             last_slip,
             slip_out_of_rolling: None,
             stays_in_contact: false,
+            half_swings: 0,
         }
     }
 
@@ -73,6 +76,7 @@ impl<P> Cursor<P> {
             last_slip: None,
             slip_out_of_rolling,
             stays_in_contact: false,
+            half_swings: 0,
         }
     }
 
@@ -430,6 +434,10 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
         ),
         NextMotion::Fly { body, take_off } => (Mode::Flight, solver.fly(point, body, *take_off)),
         NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(point, body, *entry)),
+        NextMotion::Resisted { body, motion } => (
+            motion.mode(),
+            solver.resisted(point, body, *motion, cursor.half_swings),
+        ),
         NextMotion::Settle { body, settling } => {
             (Mode::Flight, solver.settle(point, body, settling))
         }
@@ -444,6 +452,11 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
             };
             let rebound = jam(solver, cursor, None, state);
             return rebound_or_end(log.recorder, rebound, end);
+        }
+        NextMotion::Undecided(undecided) => {
+            log.flush(None);
+            let undecided = *undecided;
+            return Err(Outcome::Unresolved { state, undecided }.into());
         }
         NextMotion::Several(candidates) => {
             log.flush(None);
@@ -516,11 +529,11 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             point,
             cause,
             arrival,
-        } => Ok(after_event(
-            solver,
-            cursor,
-            ended(Some(cause), point, arrival),
-        )),
+        } => {
+            cursor.half_swings += usize::from(is_half_swing(&phase, cause));
+            let ended = ended(Some(cause), point, arrival);
+            Ok(after_event(solver, cursor, ended))
+        }
         PhaseEnd::Settled { state, settling } => {
             Ok(after_settling(solver, cursor, state, &settling))
         }
@@ -552,6 +565,12 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             Err(outcome)
         }
     }
+}
+
+/// Whether a phase that ends by `cause` rolled from one turning point to the next.
+fn is_half_swing(phase: &PhaseRecord, cause: Cause) -> bool {
+    let rolls_from_rest = phase.mode == Mode::Rolling && phase.start.theta_rate == 0.0;
+    rolls_from_rest && cause == Cause::TurningPoint
 }
 
 /// The event of an impact. The motion ends before the impact if the state after it is not
@@ -640,13 +659,13 @@ fn after_event<T: Solver>(
         (_, None) => (None, None),
     };
     let cause = cause.unwrap_or_else(|| match next.mode() {
-        Some(Mode::Sliding | Mode::Gliding) => {
+        Some(Mode::Sliding | Mode::Gliding | Mode::Skidding) => {
             let same = next.direction().is_some() && next.direction() == direction;
             if same { Cause::Graze } else { Cause::Reversal }
         }
         // The normal force vanishes at the same instant.
         Some(Mode::Flight) => Cause::LiftOff,
-        Some(Mode::Rolling) | None => Cause::Stick,
+        Some(Mode::Rolling | Mode::Rest) | None => Cause::Stick,
     });
     PhaseStep {
         event: Event::new(state, mode, cause),
@@ -686,7 +705,7 @@ fn land<T: Solver>(
     let before = ContactVelocities::of(&state, gap_rate.min(0.0));
     let contact = Contact::new(hoop, &body, state.theta);
     let impact = contact.impact(before, restitution);
-    if let Some(undecided) = contact.undecided(&impact) {
+    if let Some(undecided) = contact.undecided(&impact, restitution) {
         return Rebound::Unresolved { event, undecided };
     }
     after_impact(solver, cursor, &body, event, impact)
@@ -699,10 +718,12 @@ fn jam<T: Solver>(
     from: Option<Mode>,
     state: State,
 ) -> Rebound {
-    let Body::Heavy(body) = solver.hoop().body() else {
+    let hoop = solver.hoop();
+    let (Body::Heavy(body), Some(restitution)) = (hoop.body(), hoop.restitution()) else {
         return Rebound::None;
     };
-    let Some(impact) = solver.hoop().jam(&state) else {
+    let contact = Contact::new(hoop, &body, state.theta);
+    let Some(impact) = contact.jam(ContactVelocities::of(&state, 0.0), restitution) else {
         return Rebound::None;
     };
     let event = Event {
@@ -711,6 +732,9 @@ fn jam<T: Solver>(
         to: None,
         cause: Cause::Jam,
     };
+    if let Some(undecided) = contact.undecided_jam(&impact, restitution) {
+        return Rebound::Unresolved { event, undecided };
+    }
     after_impact(solver, cursor, &body, event, impact)
 }
 

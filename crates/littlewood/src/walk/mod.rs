@@ -8,6 +8,7 @@ pub(crate) mod follow;
 pub(crate) mod origin;
 pub(crate) mod outcome;
 pub(crate) mod proofs;
+pub(crate) mod resisted;
 pub(crate) mod sequence;
 pub(crate) mod slip;
 pub(crate) mod solver;
@@ -19,6 +20,7 @@ pub(crate) use self::follow::{WalkSettings, walk};
 pub(crate) use self::origin::{Origin, RelativeStart};
 pub(crate) use self::outcome::{Outcome, OutcomeKind};
 pub(crate) use self::proofs::{Proofs, SharedProofData, is_same};
+pub(crate) use self::resisted::{Held, ResistedMotion};
 pub(crate) use self::sequence::PhaseSequence;
 pub(crate) use self::slip::LastSlip;
 pub(crate) use self::solver::{

@@ -224,6 +224,7 @@ impl Origin {
             },
             normal_work: self.force(impact.normal_work),
             friction_work: self.force(impact.friction_work),
+            resistance_work: self.force(impact.resistance_work),
             ..impact
         }
     }
@@ -261,6 +262,7 @@ impl Origin {
                 ..
             }
             | Outcome::StaysInContact { .. }
+            | Outcome::Rests { .. }
             | Outcome::ParticleAtPlane { .. }
             | Outcome::ParticleAtBottom { .. }
             | Outcome::ParticleAtTop { .. }

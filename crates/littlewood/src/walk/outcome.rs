@@ -42,6 +42,8 @@ named! {
         RepeatsForever = 14, "repeats_forever" => ("repeats for ever", true, None);
         /// [`Outcome::StaysInContact`].
         StaysInContact = 15, "stays_in_contact" => ("stays in contact", true, None);
+        /// [`Outcome::Rests`].
+        Rests = 16, "rests" => ("rests", true, None);
         /// A point that has not been computed, as in the missing chunks of a partial grid.
         NotComputed = 254, "not_computed" => ("not computed", false, None);
         /// A point with contradictory parameters, such as μk > μs.
@@ -58,7 +60,7 @@ getters! {
     /// The event with which the motion ends, its last transition; none if it ends without an event.
     pub last_event: Option<Cause> = self.row().2;
     /// Whether the last phase has no end.
-    pub is_forever: bool = matches!(self, Self::RollsForever | Self::SlidesForever);
+    pub is_forever: bool = matches!(self, Self::RollsForever | Self::SlidesForever | Self::Rests);
     /// Whether the motion ended at P ≤ 0 (Painlevé): no consistent motion, several, or a slide that
     /// reaches P = 0.
     pub is_painleve: bool = matches!(self, Self::Inconsistent | Self::Ambiguous | Self::Singular);
@@ -104,6 +106,9 @@ pub enum Outcome {
     /// Energy and momentum exclude any later lift-off ([`crate::Hoop::never_lifts_off`]). The
     /// simulation stopped here, either on request or at a limit.
     StaysInContact { state: State },
+    /// Rolling resistance holds the hoop at rest for ever, from `since`, the start of the last
+    /// phase. A half swing is rolling between two turning points; they are counted over the motion.
+    Rests { since: State, half_swings: usize },
     /// The particle on the rim of a massless hoop reaches the plane, θ = ±π, at an infinite rate.
     /// No impact law applies, since the rim has no inertia.
     ParticleAtPlane { state: State },
@@ -162,6 +167,7 @@ impl Outcome {
             Self::SlipsForever { .. } => OutcomeKind::SlipsForever,
             Self::RepeatsForever { .. } => OutcomeKind::RepeatsForever,
             Self::StaysInContact { .. } => OutcomeKind::StaysInContact,
+            Self::Rests { .. } => OutcomeKind::Rests,
         }
     }
 
@@ -200,6 +206,7 @@ impl Outcome {
             Self::RollsForever { since: state, .. }
             | Self::SlidesForever { since: state, .. }
             | Self::RepeatsForever { since: state, .. }
+            | Self::Rests { since: state, .. }
             | Self::Inconsistent { state, .. }
             | Self::Ambiguous { state, .. }
             | Self::Landing { state, .. }
@@ -249,6 +256,9 @@ impl Outcome {
             ],
             Self::TransitionLimit { transitions, .. } => {
                 vec![("transitions", Detail::Count(transitions))]
+            }
+            Self::Rests { half_swings, .. } => {
+                vec![("half_swings", Detail::Count(half_swings))]
             }
             Self::StepLimit { limit, .. } => match limit {
                 SlideLimit::All { slides } => vec![("slides", Detail::Count(slides))],

@@ -144,6 +144,7 @@ impl<'a> Proofs<'a> {
         let proof = limits.proof();
         let is_smooth = hoop.mu_s() == 0.0 && hoop.slope() == 0.0;
         let kind = match hoop.body() {
+            Body::Heavy(_) | Body::Massless(_) if hoop.rolling_resistance() > 0.0 => Kind::None,
             Body::Heavy(_) if limits.until.is_some() && is_smooth && skips_periods => {
                 Kind::Periodic(Vec::new())
             }

@@ -23,6 +23,12 @@ named! {
         GlidingWithoutSlip = 6, "G" => ((Mode::Gliding, None), "gliding without slip");
         /// Flight.
         Flight = 7, "F" => ((Mode::Flight, None), "flight");
+        /// Rest.
+        Rest = 8, "0" => ((Mode::Rest, None), "rest");
+        /// Skidding with negative slip velocity.
+        SkiddingNegative = 9, "s" => ((Mode::Skidding, Some(SlipDirection::Negative)), "skidding with negative slip velocity");
+        /// Skidding with positive slip velocity.
+        SkiddingPositive = 10, "S" => ((Mode::Skidding, Some(SlipDirection::Positive)), "skidding with positive slip velocity");
     }
 }
 
@@ -46,6 +52,9 @@ impl PhaseCode {
             (Mode::Gliding, Some(SlipDirection::Positive)) => Self::GlidingPositive,
             (Mode::Gliding, None) => Self::GlidingWithoutSlip,
             (Mode::Flight, _) => Self::Flight,
+            (Mode::Rest, _) => Self::Rest,
+            (Mode::Skidding, Some(SlipDirection::Positive)) => Self::SkiddingPositive,
+            (Mode::Skidding, Some(SlipDirection::Negative) | None) => Self::SkiddingNegative,
         }
     }
 }
@@ -82,8 +91,8 @@ impl PhaseSequence {
     /// Number of phases that fit.
     pub const CAPACITY: u32 = 15;
 
-    /// Version of the code. Version 1 had three bits a phase.
-    pub const VERSION: u32 = 2;
+    /// Version of the code. Version 1 had three bits a phase, version 2 neither rest nor skidding.
+    pub const VERSION: u32 = 3;
 
     /// Description of the bits.
     pub const ENCODING: &'static str =
@@ -128,10 +137,14 @@ impl PhaseSequence {
     /// The phases of the mirror image of a motion.
     #[must_use]
     pub const fn mirrored(self) -> Self {
-        // Codes of opposite directions differ in the lowest bit. Only those of sliding, 2 and 3,
-        // and of gliding, 4 and 5, have exactly one of the two bits above it.
-        let directed = ((self.0 >> 1) ^ (self.0 >> 2)) & Self::LAST_BITS;
-        Self(self.0 ^ directed)
+        // Codes of opposite directions differ in the lowest bit, and those of skidding in the one
+        // above it, too. Sliding, 2 and 3, and gliding, 4 and 5, are the codes without the highest
+        // bit that have exactly one of the two in the middle; skidding, 9 and 10, those with it
+        // that have exactly one of the two lowest.
+        let [lowest, low, high, highest] = [self.0, self.0 >> 1, self.0 >> 2, self.0 >> 3];
+        let slides_or_glides = !highest & (low ^ high) & Self::LAST_BITS;
+        let skids = highest & (lowest ^ low) & Self::LAST_BITS;
+        Self(self.0 ^ slides_or_glides ^ (skids | skids << 1))
     }
 
     /// Number of phases stored.

@@ -53,14 +53,13 @@ struct RestPoint {
 }
 
 impl LastSlip {
-    /// A slip that ended rolling; none with kinetic friction, which dissipates energy, nor on a
-    /// slope, which changes the momentum.
+    /// A slip that ended rolling; none where its slide does not conserve energy and momentum.
     pub(crate) fn out_of_rolling(
         hoop: &Hoop,
         state: State,
         direction: SlipDirection,
     ) -> Option<Self> {
-        (hoop.mu_k() == 0.0 && hoop.slope() == 0.0).then_some(Self {
+        is_conservative(hoop).then_some(Self {
             state,
             direction,
             is_on_limit: true,
@@ -78,7 +77,7 @@ impl LastSlip {
         else {
             return None;
         };
-        if hoop.mu_k() != 0.0 || hoop.slope() != 0.0 {
+        if !is_conservative(hoop) {
             return None;
         }
         // What selects the slide has seen whether η″ vanishes.
@@ -212,6 +211,12 @@ impl LastSlip {
             (more - 2.0 * sum * difference) / sincos(theta).0
         })
     }
+}
+
+/// Whether slides conserve energy and horizontal momentum: kinetic friction and rolling resistance
+/// dissipate energy, and a slope changes the momentum.
+fn is_conservative(hoop: &Hoop) -> bool {
+    hoop.mu_k() == 0.0 && hoop.rolling_resistance() == 0.0 && hoop.slope() == 0.0
 }
 
 /// Whether a start that slides has |F| = μs N, and not more by the last digit: on the limit the

@@ -3,7 +3,7 @@
 use crate::mechanics::{Impact, Settling};
 use crate::model::{Heavy, Hoop, Massless, Mode, SlipDirection, State, weight_of_slides};
 use crate::modes::{Entry, Flight, GlideEntry, TakeOff};
-use crate::walk::{Arrival, Cause, Event, NextMotion, Outcome, PhaseSequence};
+use crate::walk::{Arrival, Cause, Event, NextMotion, Outcome, PhaseSequence, ResistedMotion};
 
 /// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
 ///
@@ -61,6 +61,14 @@ pub(crate) trait Solver {
     /// Infinitely many bounces, up to the time at which they accumulate.
     fn settle(&self, point: &Self::Point, body: &Heavy, settling: &Settling) -> PhaseResult<Self>;
     fn glide(&self, point: &Self::Point, body: &Massless, entry: GlideEntry) -> PhaseResult<Self>;
+    /// A phase in contact with rolling resistance, after this number of half swings.
+    fn resisted(
+        &self,
+        point: &Self::Point,
+        body: &Heavy,
+        motion: ResistedMotion,
+        half_swings: usize,
+    ) -> PhaseResult<Self>;
     /// The point at a state behind whole periods that are skipped. None if they must be solved.
     fn skip_to(&self, _end: State) -> Option<Self::Point> {
         None

@@ -37,7 +37,7 @@ impl Hoop {
     }
 
     /// Whether energy and momentum prove, by a margin that covers rounding, that a hoop in contact
-    /// at this state never lifts off; on a slope nothing is proved. The proof requires P > 0 at all
+    /// at this state never lifts off; on a slope, and with rolling resistance, nothing is proved. The proof requires P > 0 at all
     /// angles it can reach, ℓ̂ cos θ ≤ E: where P ≤ 0, an impact without collision can throw the
     /// hoop up.
     ///
@@ -66,6 +66,9 @@ impl ContactProof {
         let Some(needed) = hoop.lift_off_energy() else {
             return false;
         };
+        if hoop.rolling_resistance() > 0.0 {
+            return false;
+        }
         let energy = at_most(energy(hoop, state, 0.0, 0.0));
         let suffices = || {
             let turning =

@@ -107,7 +107,7 @@ impl Cell {
     /// The bounds in a range of cosines, for C in a range.
     fn new(
         body: &Heavy,
-        Friction { mu_s, mu_k }: Friction,
+        Friction { mu_s, mu_k, .. }: Friction,
         CosineRange { low, high }: CosineRange,
         energy: EnergyRange,
     ) -> Self {

@@ -14,7 +14,7 @@ mod tilted;
 use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::mechanics::{Accelerations, Clearance, ContactForces, Loads};
-use crate::model::{Hoop, Massless, Mode, SlipDirection, State};
+use crate::model::{Friction, Hoop, Massless, Mode, SlipDirection, State};
 use crate::modes::{Instant, Sample};
 
 use self::particle::{Particle, ParticleState, magnification, signed_product};
@@ -102,6 +102,8 @@ pub(crate) fn accelerations<T: Number>(
 pub(crate) enum GlidingEnd {
     /// η′ = 0; `presses` if the normal force of rolling is positive there.
     Rest { state: State, presses: bool },
+    /// θ′ = 0, with rolling resistance: the particle is at its highest point.
+    TurningPoint(State),
     /// The particle reaches its lowest point, θ = ±π, with unbounded θ′ (3.20). The rate of the
     /// state is infinite.
     Bottom(State),
@@ -115,7 +117,7 @@ impl Gliding {
     /// Follows the glide to its end, or for the time `allowed`.
     pub(crate) fn run(
         body: &Massless,
-        mu_k: f64,
+        friction: Friction,
         start: State,
         entry: GlideEntry,
         allowed: Option<f64>,
@@ -133,7 +135,12 @@ impl Gliding {
         } else {
             tilted::slip(&particle, start.slip, entry)
         };
-        let last = slip.rest.unwrap_or_else(|| particle.end());
+        let mut last = slip.rest.unwrap_or_else(|| particle.end());
+        let rise = particle.rise;
+        let turns = friction.rolling_resistance > 0.0 && rise > 0.0 && rise < last.elapsed;
+        if turns {
+            last = particle.place(rise);
+        }
         let scale = if last.is_beside_top() {
             magnification
         } else {
@@ -153,10 +160,15 @@ impl Gliding {
             scale,
             limit_of_small_inertia: true,
         };
-        glide.limit_of_small_inertia = glide.is_limit_of_small_inertia(mu_k, &place);
+        glide.limit_of_small_inertia = glide.is_limit_of_small_inertia(friction, &place);
         let state = glide.state_at(&place);
         let end = if is_stopped {
             GlidingEnd::TimeLimit(if place.elapsed == 0.0 { start } else { state })
+        } else if turns {
+            GlidingEnd::TurningPoint(State {
+                theta_rate: 0.0,
+                ..state
+            })
         } else if slip.rest.is_some() {
             // N of rolling has the sign of η″ towards the particle, and η″ the sign of the slip
             // that follows.
@@ -178,14 +190,27 @@ impl Gliding {
     }
 
     /// Whether this phase is the limit of sliding of a heavy hoop as its inertia vanishes. The
-    /// limit does not exist where μk σ sin θ > 0 and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ) (Painlevé).
+    /// limit does not exist where μk σ sin θ > 0 and |sin θ|ℓ̂ < μk (1 + ℓ̂ cos θ) (Painlevé); with
+    /// rolling resistance where |sin θ|ℓ̂ < sign(sin θ) (μk σ (1 + ℓ̂ cos θ) + ς χ).
     pub const fn is_small_inertia_limit(&self) -> bool {
         self.limit_of_small_inertia
     }
 
-    fn is_limit_of_small_inertia(&self, mu_k: f64, end: &ParticleState) -> bool {
+    fn is_limit_of_small_inertia(&self, friction: Friction, end: &ParticleState) -> bool {
         let particle = &self.particle;
-        if self.direction.sign() * particle.side < 0.0 {
+        let mut mu_k = friction.mu_k;
+        let mut drag = 0.0;
+        if friction.rolling_resistance > 0.0 {
+            // A glide begins to turn, and ends where θ′ vanishes; the particle rises where the angle
+            // from the top falls.
+            let rises = particle.rise > 0.0;
+            drag = if rises {
+                -friction.rolling_resistance
+            } else {
+                friction.rolling_resistance
+            };
+            mu_k *= self.direction.sign() * particle.side;
+        } else if self.direction.sign() * particle.side < 0.0 {
             return true;
         }
         // ℓ̂|sin θ|/(1 + ℓ̂ cos θ) has one maximum on a side, so its minimum lies at an end or
@@ -199,7 +224,7 @@ impl Gliding {
             .map(|place| (place, self.magnification))
             .chain([(*end, self.scale)])
             .all(|(place, scale)| {
-                place.arm() / scale >= mu_k * (particle.inside + place.above_bottom)
+                place.arm() / scale >= mu_k * (particle.inside + place.above_bottom) + drag
             })
     }
 

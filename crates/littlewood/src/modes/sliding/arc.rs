@@ -5,10 +5,11 @@ use core::ops::ControlFlow;
 
 use crate::ablation::{Part, is_on};
 use crate::math::number::Number;
+use crate::math::panel::Rule;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{Angle, WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
-use crate::model::{Heavy, Hoop, MAX_TIME, Mode, SlipDirection, State};
+use crate::model::{Heavy, Hoop, MAX_TIME, Mode, RotationDirection, SlipDirection, State};
 use crate::modes::{Instant, Margin, Recurrence, Sample, Undecided};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, ProvedTurns, section_of};
@@ -17,7 +18,7 @@ use super::series::{INITIAL_MAX_STEP, PhasePoint, SlideSeries};
 use super::singular::{Approach, SingularEnd, SingularFate};
 
 /// Least step relative to the time. A shorter step means a singularity of the equations.
-const MIN_RELATIVE_STEP: f64 = 4.0 * f64::EPSILON;
+pub(in crate::modes) const MIN_RELATIVE_STEP: f64 = 4.0 * f64::EPSILON;
 
 /// Number of steps, a time of at most 1024, after which the maximum step doubles with each step.
 const STEPS_BEFORE_DOUBLING: usize = 64;
@@ -49,6 +50,8 @@ pub(crate) enum SlidingEnd {
     Rest(State),
     /// w = 0: the normal force vanishes.
     LiftOff(State),
+    /// θ′ = 0, where rolling resistance changes its sign.
+    TurningPoint(State),
     /// P = 0 with η′ ≠ 0 and unbounded N: sliding has no solution beyond.
     Singular(State),
     /// The time scale falls below double precision: away from P = 0, or next to P = 0 where
@@ -245,6 +248,7 @@ impl LeapSearch {
 enum Event {
     Rest,
     LiftOff,
+    TurningPoint,
     Singular,
 }
 
@@ -470,7 +474,7 @@ impl Sliding {
                 is_last: true,
             });
         }
-        let time_left = (series.slip[0] / series.slip[1]).abs();
+        let time_left = series.time_to_zero(self.law.resistance);
         if is_balanced && series.slip[1] != 0.0 && time_left > MAX_TIME {
             // The slip of a balanced hoop, with very small friction.
             return ControlFlow::Break(SlidingEnd::StepLimit {
@@ -501,10 +505,24 @@ impl Sliding {
             .filter(|_| self.may_lift_off)
             .map(|at| (at, Event::LiftOff));
         let singular = crossing(&series.painleve, width).map(|at| (at, Event::Singular));
-        [rest, lift_off, singular]
+        let turning = self.turning_point(series, width);
+        let turning = turning.map(|at| (at, Event::TurningPoint));
+        [rest, lift_off, singular, turning]
             .into_iter()
             .flatten()
             .min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Where θ′ vanishes within a step, if rolling resistance makes that an event.
+    fn turning_point(&self, series: &SlideSeries, width: f64) -> Option<f64> {
+        let heading = RotationDirection::of_sign(self.law.resistance)?.sign();
+        let mut ahead = series.theta_rate.map(|c| heading * c);
+        if self.steps.len() == 1 {
+            // The slide begins to turn in this direction: at θ′ = 0, but for rounding, just after.
+            let vanishing = ahead.iter_mut().take_while(|c| **c <= 0.0);
+            vanishing.for_each(|c| *c = 0.0);
+        }
+        crossing(&ahead, width)
     }
 
     fn end_at(&mut self, event: Event, point: SlidePoint) -> SlidingEnd {
@@ -514,6 +532,10 @@ impl Sliding {
                 ..self.state_from(point)
             }),
             Event::LiftOff => SlidingEnd::LiftOff(self.state_from(point)),
+            Event::TurningPoint => SlidingEnd::TurningPoint(State {
+                theta_rate: 0.0,
+                ..self.state_from(point)
+            }),
             Event::Singular => self.singular_end(point, self.painleve_at(point)),
         }
     }
@@ -522,6 +544,11 @@ impl Sliding {
     fn endless(&mut self, series: &SlideSeries, ends: StepEnds, width: f64) -> Option<Recurrence> {
         let StepEnds { here, next } = ends;
         let sign = self.direction.sign();
+        // Rolling resistance takes energy from a slide that turns, and ends one that turns slower.
+        let resistance = self.law.resistance;
+        if resistance != 0.0 && (self.law.body.h > 0.0 || resistance * series.theta_rate[1] < 0.0) {
+            return None;
+        }
         if self.law.body.h == 0.0 && self.law.body.tilt != 0.0 && sign * series.slip[1] >= 0.0 {
             // The pull of the slope along the plane is at least the friction force, at all times.
             let acceleration = series.slip[1] - series.theta_rate[1];
@@ -557,7 +584,7 @@ impl Sliding {
         let (sin, cos) = libm::sincos(theta);
         let slip = match fate {
             SingularFate::Sticks => 0.0,
-            SingularFate::Jams | SingularFate::LiftsOff => {
+            SingularFate::Jams | SingularFate::LiftsOff | SingularFate::Stops => {
                 approach.integral + rate * self.law.slip_coefficient(sin, cos)
             }
         };
@@ -575,6 +602,7 @@ impl Sliding {
             SingularFate::Jams => SlidingEnd::Singular(state),
             SingularFate::LiftsOff => SlidingEnd::LiftOff(state),
             SingularFate::Sticks => SlidingEnd::Rest(state),
+            SingularFate::Stops => SlidingEnd::TurningPoint(state),
         }
     }
 
@@ -614,7 +642,8 @@ impl Sliding {
         ends: StepEnds,
         time_left: Option<f64>,
     ) -> Option<SlidePoint> {
-        if self.law.friction == 0.0 || self.law.body.h == 0.0 || !is_on(Part::WholeTurns) {
+        let (friction, resistance, h) = (self.law.friction, self.law.resistance, self.law.body.h);
+        if friction == 0.0 || resistance != 0.0 || h == 0.0 || !is_on(Part::WholeTurns) {
             return None;
         }
         search.include(self.oscillating_slip(&ends.here));
@@ -750,7 +779,7 @@ impl Sliding {
             },
             from,
         ) = (self.law.body, self.start);
-        if self.law.friction != 0.0 {
+        if self.law.friction != 0.0 || self.law.resistance != 0.0 {
             return place;
         }
         let [before, now] = [from.theta, place.theta].map(|theta| {
@@ -948,6 +977,27 @@ impl Sliding {
         }
     }
 
+    /// ∫ N |dθ| from the start of the phase to a time `elapsed` after it, in a slide that rolling
+    /// resistance slows. Such a slide makes no leaps, and the series of a step converge well beyond
+    /// its end, so that the integral of N |θ′| on a step is exact to rounding.
+    pub(crate) fn pressed_turn(&self, elapsed: f64) -> f64 {
+        let rule = Rule::get();
+        let ends = self.steps.iter().skip(1).map(|step| step.begin);
+        let over_step = |(step, end): (&TaylorStep, f64)| {
+            let half = 0.5 * (end.min(elapsed) - step.begin).max(0.0);
+            let power = rule.nodes.map(|node| {
+                let place = step.at(half * (1.0 + node)).place;
+                self.law.forces(place.theta, place.rate).normal * place.rate.abs()
+            });
+            half * rule.integral(&power)
+        };
+        self.steps
+            .iter()
+            .zip(ends.chain([elapsed]))
+            .map(over_step)
+            .sum()
+    }
+
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
         let instant = Instant {
             mode: Mode::Sliding,
@@ -961,7 +1011,7 @@ impl Sliding {
 }
 
 /// Maximum step; doubles with each step after [`STEPS_BEFORE_DOUBLING`], so that slow slides end.
-fn max_step(steps: usize) -> f64 {
+pub(in crate::modes) fn max_step(steps: usize) -> f64 {
     let doublings = steps.saturating_sub(STEPS_BEFORE_DOUBLING).min(60);
     (0..doublings).fold(INITIAL_MAX_STEP, |longest, _| 2.0 * longest)
 }
@@ -1002,6 +1052,7 @@ mod tests {
             SlidingEnd::LiftOff(state) => Some((1, state)),
             SlidingEnd::Singular(state) => Some((2, state)),
             SlidingEnd::TimeLimit(state) => Some((3, state)),
+            SlidingEnd::TurningPoint(state) => Some((4, state)),
             SlidingEnd::Unresolved { .. }
             | SlidingEnd::StepLimit { .. }
             | SlidingEnd::Endless(_) => None,

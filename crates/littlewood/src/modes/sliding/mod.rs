@@ -11,7 +11,9 @@ mod singular;
 
 pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlideBudget, SlidingEnd};
+pub(super) use arc::{MIN_RELATIVE_STEP, max_step};
 pub(crate) use onset::{ForceRounding, Onset, StaticLimit};
+pub(super) use series::convergence_radius;
 pub(crate) use series::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
 
 /// The limit that stopped a motion with long slides.

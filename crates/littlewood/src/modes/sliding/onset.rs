@@ -257,7 +257,7 @@ impl Sizes {
         } = law.body;
         let friction = law.friction.abs();
         let p = law.painleve(place.theta);
-        let q = h * sin + friction * (1.0 + h * cos);
+        let q = h * sin + friction * (1.0 + h * cos) + law.resistance.abs();
         let sum = |angle| sum_of_sizes(law, p, angle, place.rate.abs(), max_order);
         Self {
             terms: sum(Angle { sin, cos }),
@@ -307,7 +307,7 @@ fn sum_of_sizes(law: &SlidingLaw, p: f64, angle: Angle, rate0: f64, max_order: u
         }
         let one = if n == 0 { 1.0 } else { 0.0 };
         [u[n]] = convolve([(&rate, &rate)], n);
-        arm[n] = h * sin[n] + friction * (one + h * cos[n]);
+        arm[n] = h * sin[n] + friction * (one + h * cos[n]) + law.resistance.abs() * one;
         lever[n] = one + h * cos[n] + friction * h * sin[n];
         let [cos_u, armed, levered] = convolve([(&cos, &u), (&sin, &arm), (&rate, &lever)], n);
         contact[n] = one + h * cos_u;

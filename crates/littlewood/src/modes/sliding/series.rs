@@ -64,7 +64,7 @@ impl<T: Number> SlideSeries<T> {
         s.theta_rate[0] = rate;
         if h.value() == 0.0 {
             // The accelerations are constant; powers of those of a hoop of tiny inertia overflow.
-            let acceleration = m * -friction / inertia;
+            let acceleration = m * (-friction - law.resistance) / inertia;
             (s.theta[1], s.theta[2]) = (rate, acceleration * 0.5);
             s.theta_rate[1] = acceleration;
             (s.contact[0], s.painleve[0]) = (T::constant(1.0), inertia);
@@ -148,35 +148,56 @@ impl SlideSeries {
         INITIAL_MAX_STEP.max(1.5 * rest.max(turn))
     }
 
-    /// Step on which the series converges to rounding, from its last two coefficients
-    /// (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); at most `max_radius`.
-    pub(super) fn convergence_radius(&self, max_radius: f64) -> f64 {
-        let (rate, acceleration) = (self.theta_rate[0].abs(), self.theta_rate[1].abs());
-        let mut radius = max_radius;
-        let all = [&self.theta_rate, &self.slip, &self.contact, &self.painleve];
-        if all.iter().any(|series| !series[DEGREE].is_finite()) {
-            // Coefficients grow like radius^−n, so overflow means a radius below 1e-13.
-            return 0.0;
+    /// Time until η′ vanishes at a constant rate, or θ′ before if it ends the slide: against rolling
+    /// resistance it slows down.
+    pub(super) fn time_to_zero(&self, resistance: f64) -> f64 {
+        let to_zero = |velocity: &Series| (velocity[0] / velocity[1]).abs();
+        let time_left = to_zero(&self.slip);
+        if resistance * self.theta_rate[1] < 0.0 {
+            time_left.min(to_zero(&self.theta_rate))
+        } else {
+            time_left
         }
-        for order in [DEGREE - 1, DEGREE] {
-            let size = all
-                .iter()
-                .fold(0.0_f64, |size, series| size.max(series[order].abs()));
-            if size > 0.0 && rate.max(acceleration) > 0.0 {
-                let of = |scale: f64, order: usize| {
-                    libm::exp(libm::log(TRUNCATION_TOLERANCE * scale / size) / order as f64)
-                };
-                // θ′ grows to θ″ times the step, which dominates next to P = 0 and where a fast
-                // slip ends at once.
-                let grown = of(acceleration, order - 1);
-                let grown = if grown <= 1.0 {
-                    grown
-                } else {
-                    of(acceleration, order)
-                };
-                radius = radius.min(of(rate, order).max(grown));
-            }
-        }
-        radius
     }
+
+    /// Step on which the series converge to rounding; at most `max_radius`.
+    pub(super) fn convergence_radius(&self, max_radius: f64) -> f64 {
+        let all = [&self.theta_rate, &self.slip, &self.contact, &self.painleve];
+        convergence_radius(&self.theta_rate, all, max_radius)
+    }
+}
+
+/// Step on which series converge to rounding, that of θ′ among them, from their last two
+/// coefficients (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); at most `max_radius`.
+pub(in crate::modes) fn convergence_radius(
+    theta_rate: &Series,
+    all: [&Series; 4],
+    max_radius: f64,
+) -> f64 {
+    let (rate, acceleration) = (theta_rate[0].abs(), theta_rate[1].abs());
+    let mut radius = max_radius;
+    if all.iter().any(|series| !series[DEGREE].is_finite()) {
+        // Coefficients grow like radius^−n, so overflow means a radius below 1e-13.
+        return 0.0;
+    }
+    for order in [DEGREE - 1, DEGREE] {
+        let size = all
+            .iter()
+            .fold(0.0_f64, |size, series| size.max(series[order].abs()));
+        if size > 0.0 && rate.max(acceleration) > 0.0 {
+            let of = |scale: f64, order: usize| {
+                libm::exp(libm::log(TRUNCATION_TOLERANCE * scale / size) / order as f64)
+            };
+            // θ′ grows to θ″ times the step, which dominates next to P = 0 and where a fast
+            // slip ends at once.
+            let grown = of(acceleration, order - 1);
+            let grown = if grown <= 1.0 {
+                grown
+            } else {
+                of(acceleration, order)
+            };
+            radius = radius.min(of(rate, order).max(grown));
+        }
+    }
+    radius
 }

@@ -10,7 +10,8 @@
 //!   there, the slip ends before. If η′ > 0, the slide jams for λ < 1 and C > 0, and lifts off
 //!   otherwise. If cos θ ≤ 0, then λ ≤ 0 and θ′ decreases without bound: the slip ends.
 //! - *From below*, θ′ > 0, the slide turns back before P = 0 (λ < −1 if cos θ > 0, and w ≥ 1
-//!   otherwise) and leaves with −θ′, unless the slip ends before.
+//!   otherwise) and leaves with −θ′, unless the slip ends before. With rolling resistance it stops
+//!   there, for either σ: ς has the sign of sin θ.
 //!
 //! Where the slip ends follows from ξ du/dξ = λ u − κ, κ = 2 Î/(h sin θ P_θ), λ = κ h cos θ, the
 //! equation of u = θ′² to leading order: the terms left out are smaller by ξ.
@@ -36,6 +37,8 @@ pub(super) enum SingularFate {
     LiftsOff,
     /// The slip ends before.
     Sticks,
+    /// The rotation stops before, with rolling resistance.
+    Stops,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -95,8 +98,8 @@ impl Zero {
             let (q, turned) = (law.q(1.0, sin, cos), h * (cos + law.friction * sin));
             let slope = mass * h * (cos * q + sin * turned);
             let bend = mass * h * (sin * (h * (law.friction * cos - sin) - q) + 2.0 * cos * turned);
-            let size = inertia
-                + mass * h * sin.abs() * (h * sin.abs() + law.friction.abs() * (1.0 + h * cos));
+            let levers = h * sin.abs() + law.friction.abs() * (1.0 + h * cos);
+            let size = inertia + mass * h * sin.abs() * (levers + law.resistance.abs());
             let error = SUM_ERROR * (size / slope.abs() + reduced.abs());
             (
                 law.p(sin, q),
@@ -137,12 +140,16 @@ impl Approach<'_> {
         let zero = zero.ok_or(None)?;
         let Zero { sin, cos, .. } = zero;
         let slip_coefficient = law.slip_coefficient(sin, cos);
-        let is_from_above = sigma * rate < 0.0;
+        // Without rolling resistance sin θ has the sign of σ.
+        let is_from_above = sin * rate < 0.0;
+        let stops = law.resistance != 0.0 && !is_from_above;
         if is_from_above && cos <= 0.0 {
             return Ok(self.end_of_slip(&zero));
         }
         let last = if is_from_above {
             -sigma / (h * cos).sqrt()
+        } else if stops {
+            0.0
         } else {
             -rate
         };
@@ -159,6 +166,8 @@ impl Approach<'_> {
                 value: slip,
                 bound: uncertainty,
             }))
+        } else if stops {
+            Ok(SingularEnd::at_once(SingularFate::Stops, last))
         } else if is_from_above {
             let fate = self.without_force(&zero, earlier)?;
             Ok(SingularEnd::at_once(fate, last))

@@ -19,6 +19,8 @@ pub(super) enum Event {
     Unloaded,
     /// η′ = 0.
     Rest,
+    /// θ′ = 0.
+    TurningPoint,
     /// 1 − h cos θ θ′² = 0.
     LiftOff,
     /// The gap closes.
@@ -31,6 +33,7 @@ impl Event {
             Cause::Slip => Ok(Self::Slip),
             Cause::NormalForceZero => Ok(Self::Unloaded),
             Cause::Stick | Cause::Reversal => Ok(Self::Rest),
+            Cause::TurningPoint => Ok(Self::TurningPoint),
             // A slide that stops where the normal force vanishes.
             Cause::LiftOff if end.slip == 0.0 => Ok(Self::Rest),
             Cause::LiftOff => Ok(Self::LiftOff),
@@ -64,6 +67,7 @@ impl Event {
             (Self::Unloaded, _) => forces().normal,
             (Self::Landing, Motion::Flies(flight)) => plane.gap(flight, T::constant(*elapsed)).0,
             (Self::Rest | Self::Landing, _) => at.slip,
+            (Self::TurningPoint, _) => at.rate,
             (Self::LiftOff, _) => contact(1.0, plane.body.h, angle.cos * u),
         }
     }
@@ -90,6 +94,7 @@ impl Event {
                 (1.0 + h.value) * rate + plane.friction.mu_k.value * elapsed
             }
             (Self::LiftOff, _) => weight,
+            (Self::TurningPoint, _) => rate + elapsed,
         }
     }
 }

@@ -106,6 +106,7 @@ impl<T: Number> Plane<T> {
             friction: Friction {
                 mu_s: f(self.friction.mu_s),
                 mu_k: f(self.friction.mu_k),
+                rolling_resistance: f(self.friction.rolling_resistance),
             },
         }
     }

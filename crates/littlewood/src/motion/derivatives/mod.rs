@@ -64,11 +64,24 @@ fn reason(quantity: Quantity) -> String {
         return "the motion ends at its first landing, without a coefficient of restitution"
             .to_owned();
     }
-    let known = Quantity::HOOP.into_iter().chain(Quantity::START);
+    if quantity == Quantity::RollingResistance {
+        return "they are not built yet".to_owned();
+    }
+    let known = differentiable(true);
     format!(
         "quantities of hoop and start are {}",
         Vec::from_iter(known.map(Quantity::name)).join(", ")
     )
+}
+
+/// The quantities of a hoop and a start with respect to which motions have derivatives: the
+/// coefficient of restitution only of a hoop that bounces, rolling resistance not yet.
+pub fn differentiable(bounces: bool) -> impl Iterator<Item = Quantity> {
+    Quantity::HOOP
+        .into_iter()
+        .chain(Quantity::START)
+        .filter(move |quantity| bounces || *quantity != Quantity::Restitution)
+        .filter(|quantity| *quantity != Quantity::RollingResistance)
 }
 
 /// The derivatives of one transition with respect to one quantity.
@@ -150,8 +163,7 @@ impl Trajectory {
     /// ```
     ///
     /// # Errors
-    /// A quantity that is neither one of [`Quantity::HOOP`] nor of [`Quantity::START`], or the
-    /// restitution of a motion without one.
+    /// A quantity that is not [`differentiable`].
     pub fn derivatives(&self, quantities: &[Quantity]) -> Result<Derivatives, NotDifferentiable> {
         let mut all = Derivatives {
             quantities: quantities.to_vec(),
@@ -212,9 +224,12 @@ impl Trajectory {
     }
 
     fn check_quantity(&self, quantity: Quantity) -> Result<(), NotDifferentiable> {
-        let is_known = (Quantity::HOOP.contains(&quantity) || Quantity::START.contains(&quantity))
-            && (quantity != Quantity::Restitution || self.hoop.restitution().is_some());
-        if is_known {
+        if self.hoop.rolling_resistance() > 0.0 {
+            let quantity = Quantity::RollingResistance;
+            return Err(NotDifferentiable { quantity });
+        }
+        let bounces = self.hoop.restitution().is_some();
+        if differentiable(bounces).any(|known| known == quantity) {
             Ok(())
         } else {
             Err(NotDifferentiable { quantity })

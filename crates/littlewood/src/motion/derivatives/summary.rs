@@ -104,7 +104,8 @@ impl PassedMotion<'_> {
             | SummaryColumn::Sequence
             | SummaryColumn::Transitions
             | SummaryColumn::Painleve
-            | SummaryColumn::Landings => Ok(absent()),
+            | SummaryColumn::Landings
+            | SummaryColumn::HalfSwings => Ok(absent()),
         }
     }
 

@@ -101,6 +101,10 @@ impl<'a> Tangents<'a> {
                 friction: Friction {
                     mu_s: seed(Quantity::MuS, parameters.mu_s),
                     mu_k: seed(Quantity::MuK, parameters.mu_k),
+                    rolling_resistance: seed(
+                        Quantity::RollingResistance,
+                        parameters.rolling_resistance,
+                    ),
                 },
             },
             restitution: motion.hoop.restitution().map(|it| Restitution {
@@ -203,8 +207,8 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    fn motion_of(&self, phase: &Phase) -> Motion<Dual> {
-        match &phase.solution {
+    fn motion_of(&self, phase: &Phase) -> Derivative<Motion<Dual>> {
+        Ok(match &phase.solution {
             PhaseSolution::Rolling(_) => Motion::Rolls,
             PhaseSolution::Sliding(slide) => Motion::Slides(slide.direction()),
             PhaseSolution::Gliding(_) => Motion::Glides,
@@ -213,7 +217,11 @@ impl<'a> Tangents<'a> {
                 gap_rate: self.gap_rate.at(flight.take_off_rate()),
                 lifts_off: flight.lifts_off(),
             }),
-        }
+            // Motions with rolling resistance are refused.
+            PhaseSolution::ResistedRolling(_)
+            | PhaseSolution::Skidding(_)
+            | PhaseSolution::Rest(_) => return Err(NoDerivative::Singular),
+        })
     }
 
     /// The state at the start of a phase, with its derivatives, as exact as the phase has it.
@@ -287,7 +295,7 @@ impl<'a> Tangents<'a> {
         let (Some(end), Some(number)) = (phase.end, phase.ended_by) else {
             return Ok(None);
         };
-        let motion = self.motion_of(phase);
+        let motion = self.motion_of(phase)?;
         let transition = &self.motion.transitions[number];
         let jump = if transition.cause == Cause::Settle {
             self.settle(&motion, &end)?
@@ -374,7 +382,7 @@ impl<'a> Tangents<'a> {
         EventJump {
             before,
             after,
-            work: impact.normal_work + impact.friction_work,
+            work: -impact.lost(),
         }
     }
 
@@ -502,7 +510,7 @@ impl<'a> Tangents<'a> {
         times: &[f64],
     ) -> Derivative<Vec<Derivative<InstantOfPhase>>> {
         self.begin(phase)?;
-        let motion = self.motion_of(phase);
+        let motion = self.motion_of(phase)?;
         let within: Vec<f64> = times
             .iter()
             .map(|elapsed| (elapsed - phase.start.time).max(0.0))
@@ -605,6 +613,7 @@ impl<'a> Tangents<'a> {
             | Outcome::Landing { .. }
             | Outcome::SlipsForever { .. }
             | Outcome::StaysInContact { .. }
+            | Outcome::Rests { .. }
             | Outcome::TransitionLimit { .. }
             | Outcome::Inconsistent { .. }
             | Outcome::Ambiguous { .. }

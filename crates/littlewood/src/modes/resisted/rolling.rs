@@ -1,0 +1,465 @@
+//! A phase of rolling that rolling resistance slows down: Taylor steps, each searched for events.
+
+use core::f64::consts::{PI, TAU};
+
+use crate::math::series::{DEGREE, Series, crossing, root, value};
+use crate::math::trig::{Angle, WholeTurns, less_a_turn, split_turns, with_turns};
+use crate::mechanics::{Accelerations, Clearance, ResistedRollingLaw};
+use crate::model::{Heavy, Hoop, MAX_TIME, Mode, RotationDirection, SlipDirection, State};
+use crate::modes::sliding::{MIN_RELATIVE_STEP, convergence_radius, max_step};
+use crate::modes::{Instant, Margin, PhasePoint, Recurrence, RollingLimit, Sample, Undecided};
+
+use super::series::RollingSeries;
+
+/// By which part of the distance between two turns the periodic rotation is enclosed from the other
+/// side.
+const ENCLOSURE: f64 = 1e-3;
+
+/// The limits of a phase of rolling.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ResistedBudget {
+    pub(crate) time_left: Option<f64>,
+    pub(crate) steps: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum ResistedEnd {
+    /// θ′ = 0.
+    TurningPoint(State),
+    /// |F| = μs N.
+    Limit { state: State, limit: RollingLimit },
+    /// The time limit.
+    TimeLimit(State),
+    /// The limit of steps.
+    StepLimit(State),
+    /// The time scale falls below double precision.
+    Unresolved { state: State, undecided: Undecided },
+    /// No end.
+    Endless(Recurrence),
+}
+
+/// A phase of rolling in one direction with rolling resistance; Taylor polynomials give the state
+/// at any time.
+#[derive(Clone, Debug)]
+pub struct ResistedRolling {
+    law: ResistedRollingLaw,
+    mu_s: f64,
+    direction: RotationDirection,
+    /// The start without its whole turns.
+    start: State,
+    turns: WholeTurns,
+    steps: Vec<Step>,
+    cycle: Option<Cycle>,
+}
+
+/// The last turn of a rotation that goes on for ever: all later ones repeat it, but for rounding.
+#[derive(Clone, Copy, Debug)]
+struct Cycle {
+    from: f64,
+    period: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Step {
+    /// Time since the start of the phase, and whole turns to be added to θ.
+    begin: f64,
+    turned: f64,
+    theta: Series,
+    theta_rate: Series,
+}
+
+impl Step {
+    fn at(&self, elapsed: f64) -> RollingPoint {
+        let within = elapsed - self.begin;
+        RollingPoint {
+            elapsed,
+            turned: self.turned,
+            place: PhasePoint {
+                theta: value(&self.theta, within),
+                rate: value(&self.theta_rate, within),
+            },
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct RollingPoint {
+    elapsed: f64,
+    /// Whole turns to be added to θ, which would lose digits with them.
+    turned: f64,
+    place: PhasePoint,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Event {
+    TurningPoint,
+    Limit(RollingLimit),
+}
+
+/// What a step leads to.
+enum Advance {
+    /// Its end; the last one is that at the time limit.
+    To {
+        next: RollingPoint,
+        is_last: bool,
+    },
+    Event(RollingPoint, Event),
+    /// The series converge on less than the last digit of the time.
+    Unresolved(Undecided),
+}
+
+/// The end of a whole turn from the start.
+#[derive(Clone, Copy, Debug)]
+struct TurnEnd {
+    elapsed: f64,
+    /// θ′².
+    u: f64,
+}
+
+impl ResistedRolling {
+    /// Integrates the phase to its end, or to a limit.
+    pub(crate) fn run(
+        hoop: &Hoop,
+        body: &Heavy,
+        start: State,
+        direction: RotationDirection,
+        budget: ResistedBudget,
+    ) -> (Self, ResistedEnd) {
+        let resistance = direction.sign() * hoop.rolling_resistance();
+        let (theta, turns) = split_turns(start.theta);
+        let mut rolling = Self {
+            law: ResistedRollingLaw::of_body(body, resistance),
+            mu_s: hoop.mu_s(),
+            direction,
+            start: State {
+                theta,
+                slip: 0.0,
+                ..start
+            },
+            turns,
+            steps: Vec::new(),
+            cycle: None,
+        };
+        let end = rolling.integrate(budget);
+        (rolling, end)
+    }
+
+    /// Direction of rotation.
+    pub const fn direction(&self) -> RotationDirection {
+        self.direction
+    }
+
+    /// Number of Taylor steps of the phase.
+    pub fn steps(&self) -> usize {
+        self.steps.len()
+    }
+
+    fn first_point(&self) -> RollingPoint {
+        RollingPoint {
+            elapsed: 0.0,
+            turned: 0.0,
+            place: PhasePoint {
+                theta: self.start.theta,
+                rate: self.start.theta_rate,
+            },
+        }
+    }
+
+    fn integrate(&mut self, budget: ResistedBudget) -> ResistedEnd {
+        if self.law.rolling.offset == 0.0
+            && let Some(recurrence) = self.endless_disc()
+        {
+            return ResistedEnd::Endless(recurrence);
+        }
+        let mut here = self.first_point();
+        let mut last_turn = TurnEnd {
+            elapsed: 0.0,
+            u: here.place.rate * here.place.rate,
+        };
+        // With a time limit all states up to it are required.
+        let mut turns = budget.time_left.is_none().then_some(0.0);
+        loop {
+            if self.steps.len() >= budget.steps {
+                return ResistedEnd::StepLimit(self.state_from(here));
+            }
+            let time_left = budget
+                .time_left
+                .map_or(f64::INFINITY, |time_left| time_left - here.elapsed);
+            here = match self.advance(here, time_left) {
+                Advance::To {
+                    next,
+                    is_last: false,
+                } => next,
+                Advance::To { next, .. } => return ResistedEnd::TimeLimit(self.state_from(next)),
+                // A disc that all but keeps its rate.
+                Advance::Event(point, _) if point.elapsed > MAX_TIME => {
+                    return ResistedEnd::StepLimit(self.state_from(here));
+                }
+                Advance::Event(point, event) => return self.end_at(point, event),
+                Advance::Unresolved(undecided) => {
+                    let state = self.state_from(here);
+                    return ResistedEnd::Unresolved { state, undecided };
+                }
+            };
+            if let Some(count) = turns
+                && let Some(turn) = self.turn_end(here, count + 1.0)
+            {
+                let goes_on = count > 0.0 || self.goes_on(last_turn.u, turn.u);
+                turns = goes_on.then_some(count + 1.0);
+                let rounding = f64::EPSILON * turn.u * self.steps.len() as f64 / (count + 1.0);
+                if goes_on && (turn.u - last_turn.u).abs() <= rounding {
+                    self.cycle = Some(Cycle {
+                        from: last_turn.elapsed,
+                        period: turn.elapsed - last_turn.elapsed,
+                    });
+                    // From its own start a turn does not round the time of all turns before.
+                    let period = self
+                        .turn_from(turn.u)
+                        .map_or(turn.elapsed - last_turn.elapsed, |turn| turn.elapsed);
+                    return ResistedEnd::Endless(Recurrence::Rotation { period });
+                }
+                last_turn = turn;
+            }
+        }
+    }
+
+    /// The angle passed since the start, in the direction of motion.
+    fn turned(&self, point: RollingPoint) -> f64 {
+        self.direction.sign() * (with_turns(point.place.theta, point.turned) - self.start.theta)
+    }
+
+    /// One Taylor step from a point, of at most this time.
+    fn advance(&mut self, here: RollingPoint, time_left: f64) -> Advance {
+        let (series, reach) = self.series(here);
+        let resolution = MIN_RELATIVE_STEP * (self.start.time + here.elapsed).abs().max(1.0);
+        if reach <= resolution {
+            return Advance::Unresolved(Undecided::Rounding {
+                margin: Margin::TimeScale,
+                value: reach,
+                bound: resolution,
+            });
+        }
+        let step = Step {
+            begin: here.elapsed,
+            turned: here.turned,
+            theta: series.theta,
+            theta_rate: series.theta_rate,
+        };
+        let is_first = self.steps.is_empty();
+        self.steps.push(step);
+        let is_last = reach >= time_left;
+        let width = if is_last { time_left } else { reach };
+        if let Some((at, event)) = self.first_event(&series, is_first, width) {
+            return Advance::Event(step.at(here.elapsed + at), event);
+        }
+        let mut next = RollingPoint {
+            elapsed: here.elapsed + width,
+            turned: here.turned,
+            place: series.point(width),
+        };
+        if self.direction.sign() * next.place.theta > PI {
+            next.place.theta = less_a_turn(next.place.theta);
+            next.turned += self.direction.sign();
+        }
+        Advance::To { next, is_last }
+    }
+
+    /// The series about a point, and the time on which they converge.
+    fn series(&self, here: RollingPoint) -> (RollingSeries, f64) {
+        let series = RollingSeries::new(&self.law, here.place, DEGREE);
+        if self.law.rolling.offset == 0.0 {
+            // θ″ is constant and the series finite, so that one step leads to θ′ = 0.
+            let [rate, acceleration] = [series.theta_rate[0], series.theta_rate[1]];
+            return (series, 1.5 * (rate / acceleration).abs());
+        }
+        let all = [
+            &series.theta_rate,
+            &series.normal,
+            &series.demand[1],
+            &series.denominator,
+        ];
+        let reach = convergence_radius(&series.theta_rate, all, max_step(self.steps.len()));
+        (series, reach)
+    }
+
+    /// The first of the events within a step, if any.
+    fn first_event(
+        &self,
+        series: &RollingSeries,
+        is_first: bool,
+        width: f64,
+    ) -> Option<(f64, Event)> {
+        let slip = |direction: SlipDirection| {
+            let margin = series.margin(self.mu_s, direction.sign());
+            (margin, Event::Limit(RollingLimit::Friction(direction)))
+        };
+        let [back, forth] = SlipDirection::ALL.map(slip);
+        // Otherwise friction gives way before N vanishes.
+        let unloads = self.law.is_massless();
+        let unloaded = unloads.then_some((series.normal, Event::Limit(RollingLimit::NormalForce)));
+        let ahead = series.theta_rate.map(|c| self.direction.sign() * c);
+        let crossings = [back, forth, (ahead, Event::TurningPoint)]
+            .into_iter()
+            .chain(unloaded)
+            .filter_map(|(mut margin, event)| {
+                if is_first {
+                    // Rolling begins where friction holds, and θ′ does not vanish: on a limit, but
+                    // for rounding, just after.
+                    let vanishing = margin.iter_mut().take_while(|c| **c <= 0.0);
+                    vanishing.for_each(|c| *c = 0.0);
+                }
+                crossing(&margin, width).map(|at| (at, event))
+            });
+        crossings.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    fn end_at(&self, point: RollingPoint, event: Event) -> ResistedEnd {
+        let state = self.state_from(point);
+        match event {
+            Event::TurningPoint => ResistedEnd::TurningPoint(State {
+                theta_rate: 0.0,
+                ..state
+            }),
+            Event::Limit(limit) => ResistedEnd::Limit { state, limit },
+        }
+    }
+
+    /// The recurrence of a disc that does not slow down: its θ″ and its forces are constant.
+    fn endless_disc(&mut self) -> Option<Recurrence> {
+        let here = self.first_point();
+        let (series, _) = self.series(here);
+        let acceleration = series.theta_rate[1];
+        if self.direction.sign() * acceleration < 0.0 {
+            return None;
+        }
+        self.steps.push(Step {
+            begin: 0.0,
+            turned: 0.0,
+            theta: series.theta,
+            theta_rate: series.theta_rate,
+        });
+        Some(if acceleration == 0.0 {
+            Recurrence::Rotation {
+                period: TAU / self.start.theta_rate.abs(),
+            }
+        } else {
+            Recurrence::Downhill {
+                acceleration: -acceleration,
+            }
+        })
+    }
+
+    /// The end of a whole turn, if the last step, which leads to `here`, passes it.
+    fn turn_end(&self, here: RollingPoint, count: f64) -> Option<TurnEnd> {
+        if self.turned(here) < count * TAU {
+            return None;
+        }
+        let (last, heading) = (self.steps.last()?, self.direction.sign());
+        let end = with_turns(self.start.theta, heading * count - last.turned);
+        let at = root(&last.theta, end, -heading, here.elapsed - last.begin);
+        let rate = value(&last.theta_rate, at);
+        Some(TurnEnd {
+            elapsed: last.begin + at,
+            u: rate * rate,
+        })
+    }
+
+    /// Whether the rotation goes on for ever, from u at the beginning and at the end of its first
+    /// turn. Turns are one linear family u ↦ λ u + const with λ < 1, and margins are linear in u at
+    /// each angle. So it does if a turn from the other side of the periodic rotation, which returns
+    /// towards it, is without an event, too: each later turn lies between the two.
+    fn goes_on(&self, first: f64, second: f64) -> bool {
+        let Some(lambda) = self.contraction() else {
+            return false;
+        };
+        let periodic = second + (second - first) * lambda / (1.0 - lambda);
+        // What rounding of the turns leaves open of the periodic rotation.
+        let rounding = f64::EPSILON * periodic * self.steps.len() as f64 / (1.0 - lambda);
+        let distance = ENCLOSURE * (periodic - first).abs() + 16.0 * rounding;
+        let beyond = periodic + distance.copysign(periodic - first);
+        let returns = |end: TurnEnd| (end.u - beyond) * (first - beyond) > 0.0;
+        beyond > 0.0 && self.turn_from(beyond).is_some_and(returns)
+    }
+
+    /// λ, by which a turn shrinks differences of u.
+    fn contraction(&self) -> Option<f64> {
+        let rolling = &self.law.rolling;
+        let (mean, chi) = (rolling.mean_denominator(), self.law.resistance.abs());
+        let square = mean * mean - rolling.offset * rolling.offset * (4.0 + chi * chi);
+        let rate = mean / square.sqrt() - 1.0;
+        (square > 0.0).then(|| libm::exp(-2.0 * TAU * chi / (4.0 + chi * chi) * rate))
+    }
+
+    /// The end of a turn from the angle of the start; none if an event ends it before.
+    fn turn_from(&self, u: f64) -> Option<TurnEnd> {
+        let mut turn = Self {
+            start: State {
+                theta_rate: self.direction.sign() * u.sqrt(),
+                ..self.start
+            },
+            steps: Vec::new(),
+            ..*self
+        };
+        let mut here = turn.first_point();
+        while let Advance::To { next, .. } = turn.advance(here, f64::INFINITY) {
+            here = next;
+            if let Some(end) = turn.turn_end(here, 1.0) {
+                return Some(end);
+            }
+        }
+        None
+    }
+
+    /// State after the time `elapsed` since the phase began.
+    pub fn state(&self, elapsed: f64) -> State {
+        let (within, turns) = match self.cycle {
+            Some(Cycle { from, period }) if elapsed > from => {
+                // Exact, so that the state is on the orbit however many periods have passed.
+                let rest = libm::fmod(elapsed - from, period);
+                (from + rest, ((elapsed - from - rest) / period).round())
+            }
+            Some(_) | None => (elapsed, 0.0),
+        };
+        let after = self.steps.partition_point(|step| step.begin <= within);
+        let mut point = match self.steps.get(after.saturating_sub(1)) {
+            Some(step) => step.at(within),
+            None => self.first_point(),
+        };
+        point.elapsed = elapsed;
+        point.turned += turns * self.direction.sign();
+        self.state_from(point)
+    }
+
+    fn state_from(
+        &self,
+        RollingPoint {
+            elapsed,
+            turned,
+            place,
+        }: RollingPoint,
+    ) -> State {
+        let theta = with_turns(place.theta, turned);
+        State {
+            time: self.start.time + elapsed,
+            theta: self.turns.add_to(theta),
+            theta_rate: place.rate,
+            slip: 0.0,
+            x: self.start.x - (theta - self.start.theta),
+        }
+    }
+
+    pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
+        let (angle, u) = (Angle::of(state.theta), state.theta_rate * state.theta_rate);
+        let instant = Instant {
+            mode: Mode::Rolling,
+            direction: None,
+            accelerations: Accelerations {
+                theta: self.law.acceleration(angle, u),
+                slip: 0.0,
+            },
+            forces: self.law.forces(angle, u),
+            clearance: Clearance::NONE,
+        };
+        instant.sample(hoop, state)
+    }
+}
