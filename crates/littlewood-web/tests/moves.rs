@@ -75,7 +75,7 @@ fn a_uniform_hoop_that_is_thrown_has_the_moves_of_a_stone() {
         _ => (0.0, 0.0),
     };
     let [times, angles] = [TIME, THETA].map(|column| moved(&moves, column));
-    assert_eq!(times.len(), 13);
+    assert_eq!(times.len(), 14);
     for ((quantity, in_time), (_, in_angle)) in times.into_iter().zip(angles) {
         // With an offset the mass centre is elsewhere.
         if quantity == Quantity::OffsetM {

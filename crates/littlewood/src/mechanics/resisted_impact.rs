@@ -162,10 +162,11 @@ impl ResistedContact {
 }
 
 impl<T: Number> ResistedContact<T> {
-    /// The contact of a body at an angle; `None` without rolling resistance.
+    /// The contact of a body at an angle; `None` without rolling resistance, if there is no
+    /// derivative by it.
     pub(super) fn new(body: &Heavy<T>, friction: Friction<T>, angle: Angle<T>) -> Option<Self> {
         let level = body.h * angle.cos;
-        (friction.rolling_resistance.value() > 0.0).then(|| Self {
+        (!friction.rolling_resistance.vanishes()).then(|| Self {
             mass: body.mass,
             inertia: body.inertia,
             arm: body.h * angle.sin,

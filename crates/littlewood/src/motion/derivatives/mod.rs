@@ -30,7 +30,7 @@ use crate::modes::Recurrence;
 use crate::motion::columns::SummaryColumn;
 use crate::motion::trajectory::Trajectory;
 
-use summary::PassedMotion;
+use summary::{PassedMotion, is_of_end};
 use tangents::{InstantOfPhase, Tangents};
 
 named! {
@@ -64,9 +64,6 @@ fn reason(quantity: Quantity) -> String {
         return "the motion ends at its first landing, without a coefficient of restitution"
             .to_owned();
     }
-    if quantity == Quantity::RollingResistance {
-        return "they are not built yet".to_owned();
-    }
     let known = differentiable(true);
     format!(
         "quantities of hoop and start are {}",
@@ -75,13 +72,12 @@ fn reason(quantity: Quantity) -> String {
 }
 
 /// The quantities of a hoop and a start with respect to which motions have derivatives: the
-/// coefficient of restitution only of a hoop that bounces, rolling resistance not yet.
+/// coefficient of restitution only of a hoop that bounces.
 pub fn differentiable(bounces: bool) -> impl Iterator<Item = Quantity> {
     Quantity::HOOP
         .into_iter()
         .chain(Quantity::START)
         .filter(move |quantity| bounces || *quantity != Quantity::Restitution)
-        .filter(|quantity| *quantity != Quantity::RollingResistance)
 }
 
 /// The derivatives of one transition with respect to one quantity.
@@ -224,10 +220,6 @@ impl Trajectory {
     }
 
     fn check_quantity(&self, quantity: Quantity) -> Result<(), NotDifferentiable> {
-        if self.hoop.rolling_resistance() > 0.0 {
-            let quantity = Quantity::RollingResistance;
-            return Err(NotDifferentiable { quantity });
-        }
         let bounces = self.hoop.restitution().is_some();
         if differentiable(bounces).any(|known| known == quantity) {
             Ok(())
@@ -272,13 +264,19 @@ impl Trajectory {
             end: end.map(|(at, _)| at),
         }
         .numbers();
-        for (row, number) in all.summary.iter_mut().zip(numbers) {
-            row.extend(walk.by_quantity(number, |number, k| number.parts[k]));
+        let rows = all.summary.iter_mut().zip(SummaryColumn::reals());
+        for ((row, column), number) in rows.zip(numbers) {
+            let parts = walk.by_quantity(number, |number, k| number.parts[k]);
+            row.extend(if is_of_end(column) {
+                walk.at_end(parts)
+            } else {
+                parts
+            });
         }
         let outcome = walk.by_quantity(end, |(at, recurrence), k| OutcomeDerivative {
             state: walk.state(&at, k),
             recurrence: recurrence.map(|it| it.map(|number| number.parts[k])),
         });
-        all.outcome.extend(outcome);
+        all.outcome.extend(walk.at_end(outcome));
     }
 }
