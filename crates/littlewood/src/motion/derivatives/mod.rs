@@ -14,6 +14,10 @@
 //! derivatives ([`crate::math::number`]); there is no difference quotient. Where a derivative does
 //! not exist, [`NoDerivative`] says why.
 //!
+//! With rolling resistance a phase keeps its direction of rotation, and θ′ = 0 is an event like the
+//! others. Without it the derivative by χ is that from within: to first order the couple −ς χ N acts
+//! along the motion that it has not yet changed, with the sign of its rate.
+//!
 //! [`tangents`] passes from phase to phase, [`flow`] evolves a state in a phase, and [`event`] has the conditions g.
 
 mod event;
@@ -42,7 +46,8 @@ named! {
         /// terms.
         Grazing = 0, "grazing" => "the event is touched, not crossed, but for rounding: its time has no derivative";
         /// The motion begins differently on the two sides of the value. At an end of its range a
-        /// quantity has the derivative from within.
+        /// quantity has the derivative from within; but a motion that goes on for ever without
+        /// rolling resistance ends with the least of it.
         OneSided = 1, "one_sided" => "on the two sides of this value the motion begins differently";
         /// P = 0, or a rate or a force without bound.
         Singular = 2, "singular" => "the equations of motion are singular there";
