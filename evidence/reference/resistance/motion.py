@@ -213,6 +213,15 @@ def follow(body, start, until, bounce=None, most=MOST):
     With a coefficient of restitution and its law or without.
     """
     walk = Walk(body, start, until, bounce)
+    try:
+        return followed(walk, most)
+    except Tie as tie:
+        tie.transitions = walk.transitions
+        raise
+
+
+def followed(walk, most):
+    body, bounce = walk.body, walk.bounce
     while len(walk.transitions) < most:
         modes = walk.modes()
         if not modes and bounce is not None and not walk.gap_rate:

@@ -175,7 +175,7 @@ impl Trajectory {
         for quantity in quantities {
             self.check_quantity(*quantity)?;
         }
-        for group in quantities.chunks(WIDTH) {
+        for group in self.groups(quantities) {
             self.add_derivatives(group, &mut all);
         }
         Ok(all)
@@ -205,7 +205,7 @@ impl Trajectory {
             .collect();
         order.sort_by(|one, other| times[*one].total_cmp(&times[*other]));
         let sorted: Vec<f64> = order.iter().map(|place| times[*place]).collect();
-        for group in quantities.chunks(WIDTH) {
+        for group in self.groups(quantities) {
             let mut walk = Tangents::new(self, group);
             for (place, at) in order.iter().zip(walk.instants(&sorted)) {
                 let states =
@@ -222,6 +222,16 @@ impl Trajectory {
             }
         }
         Ok(found)
+    }
+
+    /// Groups of quantities that share the series of the state. Rolling resistance that is zero is on
+    /// its own: what is differentiated by it has the equations with resistance.
+    fn groups<'a>(&self, quantities: &'a [Quantity]) -> impl Iterator<Item = &'a [Quantity]> {
+        let begins = self.hoop.rolling_resistance() == 0.0;
+        let is_alone = move |it: &Quantity| begins && *it == Quantity::RollingResistance;
+        quantities
+            .chunk_by(move |one, other| !is_alone(one) && !is_alone(other))
+            .flat_map(|group| group.chunks(WIDTH))
     }
 
     fn check_quantity(&self, quantity: Quantity) -> Result<(), NotDifferentiable> {
