@@ -165,8 +165,6 @@ fn what_has_no_derivative_is_last_and_says_why() {
         let row = rows.iter().find(|row| row["quantity"] == quantity).unwrap();
         assert_eq!(row["change"], change);
     }
-    println!("{}", moves.sentence(TIME));
-    println!("{:?}", moves.rows(TIME));
     let first = rows[0]["quantity"]
         .as_str()
         .unwrap()
