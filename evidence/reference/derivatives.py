@@ -175,9 +175,7 @@ def differentiated(problem):
                     slopes = [(p - m) / (2 * step) for p, m in zip(plus, minus)]
                 else:
                     its = numbers_of(found[k], when == "after")
-                    slopes = [
-                        (4 * m - p - 3 * v) / (2 * step) for p, m, v in zip(plus, minus, its)
-                    ]
+                    slopes = [(4 * m - p - 3 * v) / (2 * step) for p, m, v in zip(plus, minus, its)]
                 row[when][name] = [float(slope) for slope in slopes]
     hoops = dict(
         zip(names, hoop), restitution=bounce and bounce[0], restitution_law=bounce and bounce[1]

@@ -5,11 +5,11 @@
     python3 digits.py hard --write                    the same for some of the heavy motions
 
 Draws motions of a kind (`any`, `heavy`, `usual` or `resisted`, as the example `motions` of
-littlewood-random has them), and follows their first events with 60 digits.  Exact motions are kept in a file, if one
-is named, each with its hoop and start: the library draws them, and computes some of them, such as a
-start on the limit of friction.  A claim of d digits is that the printed number differs from the
-exact one by at most 10^-d of that.  Printed are, for each decade of the rate at the start, how many
-numbers have how many digits more than was claimed: below 0 the claim was too high.
+littlewood-random has them), and follows their first events with 60 digits. Exact motions are kept
+in a file, if one is named, each with its hoop and start: the library draws them, and computes some
+of them, such as a start on the limit of friction. A claim of d digits is that the printed number
+differs from the exact one by at most 10^-d of that. Printed are, for each decade of the rate at the
+start, how many numbers have how many digits more than was claimed: below 0 the claim was too high.
 
 Needs gmpy2, python-flint, cargo, and the packages `follower` and `resistance` beside it.
 """
@@ -82,10 +82,11 @@ def given(line):
 def followed(hoop, start, bounce):
     """The first transitions."""
     numbers, place = [hoop[k] for k in HOOP], [start[k] for k in START]
-    if not hoop.get("rolling_resistance"):
-        return follow(numbers, place, 2.0**100, None, bounce, EVENTS)[1]
+    chi, slope = hoop["rolling_resistance"], hoop["slope"]
+    if not chi:
+        return follow([*numbers, slope], place, 2.0**100, None, bounce, EVENTS)[1]
     resisted.RECORDED = mpfr(0)
-    body = Body(*numbers, hoop["rolling_resistance"], hoop["slope"])
+    body = Body(*numbers, chi, slope)
     try:
         rows = resisted.follow(body, place[:4], 2.0**100, bounce, EVENTS).transitions
     except Tie as tie:

@@ -221,6 +221,7 @@ def follow(body, start, until, bounce=None, most=MOST):
 
 
 def followed(walk, most):
+    """The motion from where the walk is."""
     body, bounce = walk.body, walk.bounce
     while len(walk.transitions) < most:
         modes = walk.modes()
