@@ -4,14 +4,14 @@
     --motions 120 --write     writes digits-heavy.json, with which the tests of the core compare
     python3 digits.py hard --write                    the same for some of the heavy motions
 
-Draws motions of a kind (`any`, `heavy` or `usual`, as the example `motions` of littlewood-random
-has them), and follows their first events with 60 digits.  Exact motions are kept in a file, if one
-is named, each with its hoop and start: the library draws them, and computes some of them, such as a
-start on the limit of friction.  A claim of d digits is that the printed number differs from the
-exact one by at most 10^-d of that.  Printed are, for each decade of the rate at the start, how many
-numbers have how many digits more than was claimed: below 0 the claim was too high.
+Draws motions of a kind (`any`, `heavy`, `usual` or `resisted`, as the example `motions` of
+littlewood-random has them), and follows their first events with 60 digits. Exact motions are kept
+in a file, if one is named, each with its hoop and start: the library draws them, and computes some
+of them, such as a start on the limit of friction. A claim of d digits is that the printed number
+differs from the exact one by at most 10^-d of that. Printed are, for each decade of the rate at the
+start, how many numbers have how many digits more than was claimed: below 0 the claim was too high.
 
-Needs gmpy2, python-flint, cargo, and the package `follower` beside it.
+Needs gmpy2, python-flint, cargo, and the packages `follower` and `resistance` beside it.
 """
 
 import argparse
@@ -27,6 +27,8 @@ from pathlib import Path
 from follower.arithmetic import FINEST, Tie, Work
 from follower.motion import NUMBERS, follow
 from gmpy2 import log10, mpfr
+from resistance import motion as resisted
+from resistance.balances import Body
 
 HOOP, START = (
     ("mass_ratio", "offset", "inertia", "mu_s", "mu_k"),
@@ -77,6 +79,29 @@ def given(line):
     return [line["hoop"], line["start"]]
 
 
+def followed(hoop, start, bounce):
+    """The first transitions."""
+    numbers, place = [hoop[k] for k in HOOP], [start[k] for k in START]
+    chi, slope = hoop["rolling_resistance"], hoop["slope"]
+    if not chi:
+        return follow([*numbers, slope], place, 2.0**100, None, bounce, EVENTS)[1]
+    resisted.RECORDED = mpfr(0)
+    body = Body(*numbers, chi, slope)
+    try:
+        rows = resisted.follow(body, place[:4], 2.0**100, bounce, EVENTS).transitions
+    except Tie as tie:
+        rows = tie.transitions
+    return [named_as_here(row, start) for row in rows]
+
+
+def named_as_here(row, start):
+    """A transition of the package `resistance` as one of `follower`."""
+    state = row.state
+    numbers = (start["time"] + row.time, *state[:3], start["x"] + state.x)
+    cause = "turning_point" if row.cause == "turning" else row.cause
+    return {"cause": cause, **dict(zip(NUMBERS, numbers))}
+
+
 def exact(named):
     """Name, hoop and start, cause and numbers of the transitions with 60 digits, as text."""
     name, line = named
@@ -90,9 +115,7 @@ def exact(named):
     signal.signal(signal.SIGALRM, too_long)
     signal.alarm(SECONDS)
     try:
-        transitions = follow(
-            [hoop[k] for k in HOOP], [start[k] for k in START], 2.0**100, None, bounce, EVENTS
-        )[1]
+        transitions = followed(hoop, start, bounce)
     except Tie as tie:
         transitions = tie.transitions
     except (ArithmeticError, ValueError):
@@ -172,7 +195,7 @@ def main():
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("kind", choices=("any", "heavy", "usual", "hard"))
+    parser.add_argument("kind", choices=("any", "heavy", "usual", "resisted", "hard"))
     parser.add_argument("--motions", type=int, default=1000)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--kept")

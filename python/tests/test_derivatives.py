@@ -110,11 +110,10 @@ def test_quantities_of_a_motion(hoop):
     motion = hoop.simulate(theta=math.pi / 2, theta_rate=2.0)
     found = motion.derivatives()
     assert found["quantity"].values.tolist() == [
-        # Rolling resistance is not built yet.
-        *(name for name in lw.tables.HOOP if name not in ("restitution", "rolling_resistance")),
+        *(name for name in lw.tables.HOOP if name != "restitution"),
         *lw.tables.START,
     ]
-    assert dict(found.sizes) == {"transition": 4, "quantity": 12}
+    assert dict(found.sizes) == {"transition": 4, "quantity": 13}
     # Time and place of the start shift the motion.
     np.testing.assert_allclose(found.x.sel(quantity="x"), 1.0)
     np.testing.assert_array_equal(found.time.sel(quantity="time"), 1.0)

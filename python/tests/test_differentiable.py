@@ -43,6 +43,8 @@ def test_columns_are_the_derivatives_of_the_events() -> None:
         "jump_length_by_theta",
         "lift_off_time_by_theta",
         "lift_off_time_by_inertia",
+        # From within: the hoop has none.
+        "lift_off_time_by_rolling_resistance",
     ]
     rates = np.array([2.8, 3.0, 3.2])
     found = lw.simulate_many(HOOP, theta=2.5, theta_rate=rates, until=20.0, derivatives=names)

@@ -980,7 +980,7 @@ fn derivatives_have_the_numbers_of_closed_forms_and_their_reasons() {
             .as_object()
             .unwrap()
             .len(),
-        13
+        14
     );
     let written = text(&[&all[..], &["--format", "json"]].concat());
     let [friction, angle] =

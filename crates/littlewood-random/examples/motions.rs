@@ -4,7 +4,8 @@
 //! cargo run --release -p littlewood-random --example motions -- 1000 2019 heavy
 //! ```
 //!
-//! takes the number of motions, the seed, and what is drawn: `any`, `heavy` (no massless hoop) or `usual`; then, if they are wanted, the
+//! takes the number of motions, the seed, and what is drawn: `any`, `heavy` (no massless hoop), `usual`, or `resisted` (a heavy hoop with
+//! rolling resistance, half of them with a start next to where a mode begins); then, if they are wanted, the
 //! largest number of transitions (100) and the word `digits`. A line has the hoop, the start, the outcome, and each transition with the
 //! state before it and after it, and the digits that are trusted there. The same numbers draw the same motions.
 
@@ -46,7 +47,12 @@ fn main() -> Result<(), Box<dyn Error>> {
                 let Setup { hoop, start } = draw.usual();
                 (Hoop::new(hoop)?, start)
             }
-            other => return Err(format!("'{other}': any, heavy or usual").into()),
+            "resisted" if number % 2 == 0 => draw.resisted_in_contact(),
+            "resisted" => {
+                let (hoop, start) = draw.heavy_motion();
+                (draw.resisted(&hoop), start)
+            }
+            other => return Err(format!("'{other}': any, heavy, usual or resisted").into()),
         };
         let motion = hoop.simulate(start, limits)?;
         let digits = if word(4, "") == "digits" {

@@ -75,7 +75,7 @@ fn a_uniform_hoop_that_is_thrown_has_the_moves_of_a_stone() {
         _ => (0.0, 0.0),
     };
     let [times, angles] = [TIME, THETA].map(|column| moved(&moves, column));
-    assert_eq!(times.len(), 13);
+    assert_eq!(times.len(), 14);
     for ((quantity, in_time), (_, in_angle)) in times.into_iter().zip(angles) {
         // With an offset the mass centre is elsewhere.
         if quantity == Quantity::OffsetM {
@@ -149,20 +149,22 @@ fn what_has_no_derivative_is_last_and_says_why() {
     let moves = of(&problem_of(&setup, None), 3);
     let rows: Value = serde_json::from_str(&moves.rows(X)).unwrap();
     let rows = rows.as_array().unwrap();
-    assert_eq!(rows.len(), 10);
-    for row in &rows[8..] {
+    assert_eq!(rows.len(), 11);
+    for row in &rows[9..] {
         assert!(row["moved"].is_null());
         assert_eq!(row["reason"], NoDerivative::OneSided.label());
         assert!(["slip", "gap_rate"].contains(&row["quantity"].as_str().unwrap()));
     }
-    let sizes: Vec<f64> = rows[..8]
+    let sizes: Vec<f64> = rows[..9]
         .iter()
         .map(|row| row["moved"].as_f64().unwrap().abs())
         .collect();
     assert!(sizes.is_sorted_by(|a, b| a >= b), "{sizes:?}");
-    // α = 0 is changed by a part of its usual range.
-    let slope = rows.iter().find(|row| row["quantity"] == "slope").unwrap();
-    assert_eq!(slope["change"], 0.02);
+    // α = 0 and χ = 0 are changed by a part of their usual range.
+    for (quantity, change) in [("slope", 0.02), ("rolling_resistance", 0.002)] {
+        let row = rows.iter().find(|row| row["quantity"] == quantity).unwrap();
+        assert_eq!(row["change"], change);
+    }
     let first = rows[0]["quantity"]
         .as_str()
         .unwrap()

@@ -1,6 +1,6 @@
 //! The digits that are said to be trusted, against the motions of
 //! `evidence/reference/digits-usual.json`, `digits-heavy.json` and `digits-hard.json`, followed
-//! with 60 digits.
+//! with 60 digits, and those with rolling resistance of `resistance.json`, with 30.
 #![allow(clippy::panic)] // a failed expectation
 
 use littlewood::tables::{Quantity, Setup};
@@ -10,6 +10,7 @@ use serde_json::Value;
 const USUAL: &str = include_str!("../../../evidence/reference/digits-usual.json");
 const HEAVY: &str = include_str!("../../../evidence/reference/digits-heavy.json");
 const HARD: &str = include_str!("../../../evidence/reference/digits-hard.json");
+const RESISTED: &str = include_str!("../../../evidence/reference/resistance.json");
 
 /// Claims of some motions.
 #[derive(Default)]
@@ -111,6 +112,85 @@ fn claims(text: &str) -> Claims {
         }
     }
     claims
+}
+
+/// Claims of the motions with rolling resistance, and how many transitions have none.
+fn claims_with_resistance() -> (Claims, usize) {
+    let data: Value = serde_json::from_str(RESISTED).expect("motions");
+    let (mut claims, mut silent) = (Claims::default(), 0);
+    for (place, motion) in data["motions"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .enumerate()
+    {
+        let mut problem_of = motion.clone();
+        let law = &motion["law"];
+        problem_of["hoop"]["restitution_law"] = law.clone();
+        if !law.is_null() {
+            problem_of["hoop"]["restitution"] = motion["restitution"].clone();
+        }
+        let (hoop, start) = problem(&problem_of);
+        let theirs = motion["transitions"].as_array().expect("a list");
+        let limits = Limits::until(motion["until"].as_f64().expect("a number"))
+            .with_transitions(theirs.len().max(1));
+        let ours = hoop.simulate(start, limits).expect("a valid start");
+        let digits = hoop.digits(start, limits).expect("a valid start");
+        for (index, (theirs, (ours, digits))) in theirs
+            .iter()
+            .zip(ours.transitions().iter().zip(digits))
+            .enumerate()
+        {
+            // Slow bounces are not listed there, and no bounces that are summed.
+            let cause = theirs["cause"].as_str().expect("a cause");
+            let cause = if cause == "turning" {
+                "turning_point"
+            } else {
+                cause
+            };
+            if cause == "settle" || ours.cause.name() != cause {
+                assert!(!law.is_null(), "{place} {index}: {ours:?} {theirs}");
+                break;
+            }
+            let Some(digits) = digits else {
+                silent += 1;
+                continue;
+            };
+            for (name, value, claimed) in [
+                ("time", ours.before.time, digits.time),
+                ("theta", ours.before.theta, digits.theta),
+                ("theta_rate", ours.before.theta_rate, digits.theta_rate),
+                ("slip", ours.before.slip, digits.slip),
+                ("x", ours.before.x, digits.x),
+            ] {
+                let truth = theirs[name].as_str().expect("a number");
+                let truth = truth.parse().expect("a number");
+                let named = format!("{} {place} {index} {name}", motion["family"]);
+                claims.add(&named, value, truth, claimed);
+            }
+        }
+    }
+    (claims, silent)
+}
+
+#[test]
+fn no_more_digits_are_claimed_than_there_are_with_rolling_resistance() {
+    let (claims, silent) = claims_with_resistance();
+    let Claims {
+        numbers,
+        close,
+        far,
+        wrong,
+    } = claims;
+    println!(
+        "{numbers} numbers, {close} have less than two digits more than claimed, {far} more; {silent} transitions have none"
+    );
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(
+        numbers > 1500 && far as f64 <= 0.5 * numbers as f64,
+        "{far} of {numbers}"
+    );
+    assert!(silent < 20, "{silent}");
 }
 
 #[test]

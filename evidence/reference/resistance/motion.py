@@ -213,6 +213,16 @@ def follow(body, start, until, bounce=None, most=MOST):
     With a coefficient of restitution and its law or without.
     """
     walk = Walk(body, start, until, bounce)
+    try:
+        return followed(walk, most)
+    except Tie as tie:
+        tie.transitions = walk.transitions
+        raise
+
+
+def followed(walk, most):
+    """The motion from where the walk is."""
+    body, bounce = walk.body, walk.bounce
     while len(walk.transitions) < most:
         modes = walk.modes()
         if not modes and bounce is not None and not walk.gap_rate:

@@ -23,6 +23,11 @@ pub trait Number:
     /// A function of this number, from its value and its derivative.
     fn map(self, value: f64, derivative: f64) -> Self;
 
+    /// Whether it is zero, and has no derivatives that are not.
+    fn vanishes(self) -> bool {
+        self.value() == 0.0
+    }
+
     /// Sine and cosine, by `libm`.
     fn angle(self) -> Angle<Self> {
         let (sin, cos) = libm::sincos(self.value());
@@ -98,6 +103,11 @@ impl Number for Dual {
             value,
             parts: self.parts.map(|part| derivative * part),
         }
+    }
+
+    #[inline]
+    fn vanishes(self) -> bool {
+        self.value == 0.0 && self.parts == [0.0; WIDTH]
     }
 }
 

@@ -186,10 +186,11 @@ impl ResistedContact {
 }
 
 impl<T: Number> ResistedContact<T> {
-    /// The contact of a body at an angle; `None` without rolling resistance.
+    /// The contact of a body at an angle; `None` without rolling resistance, if there is no
+    /// derivative by it.
     pub(super) fn new(body: &Heavy<T>, friction: Friction<T>, angle: Angle<T>) -> Option<Self> {
         let level = body.h * angle.cos;
-        (friction.rolling_resistance.value() > 0.0).then(|| Self {
+        (!friction.rolling_resistance.vanishes()).then(|| Self {
             mass: body.mass,
             inertia: body.inertia,
             arm: body.h * angle.sin,
@@ -258,6 +259,25 @@ impl<T: Number> ResistedContact<T> {
     /// a − ς χ, the arm of the normal impulse with its couple.
     fn arm_of(&self, rotation: RotationDirection) -> T {
         self.arm - self.friction.rolling_resistance * rotation.sign()
+    }
+
+    /// The velocities as soon as the contact holds what it holds from the start: what is zero there
+    /// may have derivatives, which friction and the couple take up at once.
+    fn held(&self, now: ContactVelocities<T>, first: &Segment<T>) -> ContactVelocities<T> {
+        let zero = T::constant(0.0);
+        let turned = match (first.slip, first.rotation) {
+            (Some(_), Some(_)) => return now,
+            (_, None) => zero - now.theta_rate,
+            (None, Some(_)) => zero - self.mass * self.height * now.slip / self.about_contact(),
+        };
+        ContactVelocities {
+            theta_rate: now.theta_rate + turned,
+            slip: match first.slip {
+                Some(_) => now.slip + self.height * turned,
+                None => zero,
+            },
+            gap_rate: now.gap_rate + self.arm * turned,
+        }
     }
 
     fn couple(&self, rotation: RotationDirection) -> T {
@@ -607,7 +627,7 @@ impl<'a, T: Number> Course<'a, T> {
             contact,
             restitution,
             before,
-            now: before,
+            now: contact.held(before, &first),
             segment: first,
             case,
             is_first: true,

@@ -9,8 +9,8 @@ use core::cell::Cell;
 
 use crate::mechanics::Settling;
 use crate::model::{
-    Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, Setup, SlipDirection, Start,
-    State,
+    Heavy, Hoop, Limits, Massless, Mode, ParameterError, Quantity, RotationDirection, Setup,
+    SlipDirection, Start, State,
 };
 use crate::modes::{Entry, Flight, GlideEntry, PhasePoint, PhaseSolution, StaticLimit, TakeOff};
 use crate::motion::trajectory::{Phase, Trajectory};
@@ -79,7 +79,6 @@ impl Hoop {
         start: Start,
         limits: Limits,
     ) -> Result<Vec<Option<Digits>>, ParameterError> {
-        self.check_built()?;
         let motion = self.simulate(start, limits)?;
         let is_on_limit = motion.starts_on_static_limit();
         let motion = motion.transitions;
@@ -262,8 +261,9 @@ impl PerturbedSolver<'_> {
     }
 
     /// A later state of a phase, with each number moved by the rounding of its terms: the earlier
-    /// value, and the change over a number of steps.
-    fn perturbed_end(&self, from: &State, to: State, mode: Mode, steps: f64) -> State {
+    /// value, and the change over a number of steps. An end at θ′ = 0 comes later by the rounding of
+    /// the rate over `turn`, the size of θ″ there.
+    fn perturbed_end(&self, from: &State, to: State, mode: Mode, steps: f64, turn: f64) -> State {
         let least = f64::EPSILON * steps.sqrt();
         let moved = |value: f64, size: f64| self.signs.moved(value, least * size);
         let (h, friction) = match mode {
@@ -276,13 +276,17 @@ impl PerturbedSolver<'_> {
         let turned = from.theta.abs() + rate * duration;
         let slipped = from.slip.abs().max(to.slip.abs());
         // Rolling ends at an angle, whose rounding along the orbit is one of time and rate.
+        let stops = self.stops(&to);
         let late = match mode {
+            Mode::Rolling | Mode::Sliding | Mode::Gliding if stops => {
+                (rate / turn).min(duration / f64::EPSILON)
+            }
             Mode::Rolling => (to.theta / to.theta_rate)
                 .abs()
                 .min(duration / f64::EPSILON),
             Mode::Sliding | Mode::Gliding | Mode::Flight | Mode::Rest | Mode::Skidding => 0.0,
         };
-        let along = if late == 0.0 {
+        let along = if late == 0.0 || stops {
             0.0
         } else {
             (to.theta_rate - from.theta_rate).abs() / duration * late
@@ -293,7 +297,12 @@ impl PerturbedSolver<'_> {
         State {
             time: moved(to.time, to.time + duration + late),
             theta: moved(to.theta, turned),
-            theta_rate: moved(to.theta_rate, rate + along),
+            // With rolling resistance θ′ = 0 is exact, too.
+            theta_rate: if stops && mode != Mode::Flight {
+                0.0
+            } else {
+                moved(to.theta_rate, rate + along)
+            },
             // In contact, η′ = 0 is exact.
             slip: if to.slip == 0.0 && mode != Mode::Flight {
                 0.0
@@ -304,6 +313,11 @@ impl PerturbedSolver<'_> {
         }
     }
 
+    /// Whether θ′ is zero by rolling resistance.
+    fn stops(&self, state: &State) -> bool {
+        self.hoop().rolling_resistance() > 0.0 && state.theta_rate == 0.0
+    }
+
     /// A landing with its time moved by its own rounding, and by that of the terms of the gap.
     fn perturbed_landing(&self, flight: &Flight, gap_rate: f64) -> (State, f64) {
         let duration = flight.duration();
@@ -312,6 +326,54 @@ impl PerturbedSolver<'_> {
         let late = f64::EPSILON * (gap / gap_rate.abs()).max(duration);
         let duration = self.signs.moved(duration, late.min(duration));
         (flight.state(duration), flight.gap(duration).1)
+    }
+
+    /// A slide perturbed at its start, at some places on the way, and at its end.
+    fn slide_in_pieces<'a>(
+        &self,
+        state: &State,
+        entry: Entry,
+        slide: impl Fn(&State, Entry) -> PhaseResult<Exact<'a>>,
+    ) -> PhaseResult<Self> {
+        let perturbed_start = self.perturbed_start(state);
+        let mut from = perturbed_start;
+        let mut solved = slide(&perturbed_start, entry);
+        // Rounding on the way may grow more than rounding at the start.
+        for pieces in (2..=PERTURBATIONS_PER_SLIDE).rev() {
+            let (PhaseSolution::Sliding(sliding), Some(end)) =
+                (&solved.solution, solved.end.state(|place| *place))
+            else {
+                break;
+            };
+            let steps = (sliding.steps() as f64 / f64::from(pieces)).max(1.0);
+            let cut = sliding.state((end.time - from.time) / f64::from(pieces));
+            // The rounding of the first integral scales with the slip at the start of the slide.
+            let cut = self.perturbed_end(
+                &State {
+                    slip: perturbed_start.slip,
+                    ..from
+                },
+                cut,
+                Mode::Sliding,
+                steps,
+                f64::INFINITY,
+            );
+            let turns = sliding.rotation();
+            if SlipDirection::of_sign(cut.slip) != Some(sliding.direction())
+                || turns.is_some() && RotationDirection::of_sign(cut.theta_rate) != turns
+            {
+                break;
+            }
+            from = cut;
+            solved = slide(&from, Entry::Moving);
+        }
+        self.perturbed(
+            &State {
+                slip: perturbed_start.slip,
+                ..from
+            },
+            solved,
+        )
     }
 
     /// A phase from a state with the state of its event moved.
@@ -344,7 +406,15 @@ impl PerturbedSolver<'_> {
             | PhaseEnd::Motion {
                 event: Some((_, state)),
                 ..
-            } => *state = self.perturbed_end(from, *state, solution.mode(), steps),
+            } => {
+                let turn = if self.stops(state) {
+                    let sample = solution.sample(self.hoop(), *state, 0.0);
+                    sample.theta_acceleration.abs()
+                } else {
+                    f64::INFINITY
+                };
+                *state = self.perturbed_end(from, *state, solution.mode(), steps, turn);
+            }
             PhaseEnd::Motion { event: None, .. } => {}
         }
         PhaseResult {
@@ -395,45 +465,9 @@ impl Solver for PerturbedSolver<'_> {
         entry: Entry,
         may_lift_off: bool,
     ) -> PhaseResult<Self> {
-        let perturbed_start = self.perturbed_start(state);
-        let mut from = perturbed_start;
-        let mut solved = self
-            .exact
-            .slide(&perturbed_start, body, direction, entry, may_lift_off);
-        // Rounding on the way may grow more than rounding at the start.
-        for pieces in (2..=PERTURBATIONS_PER_SLIDE).rev() {
-            let (PhaseSolution::Sliding(slide), Some(end)) =
-                (&solved.solution, solved.end.state(|place| *place))
-            else {
-                break;
-            };
-            let steps = (slide.steps() as f64 / f64::from(pieces)).max(1.0);
-            let cut = slide.state((end.time - from.time) / f64::from(pieces));
-            // The rounding of the first integral scales with the slip at the start of the slide.
-            let cut = self.perturbed_end(
-                &State {
-                    slip: perturbed_start.slip,
-                    ..from
-                },
-                cut,
-                Mode::Sliding,
-                steps,
-            );
-            if SlipDirection::of_sign(cut.slip) != Some(direction) {
-                break;
-            }
-            from = cut;
-            solved = self
-                .exact
-                .slide(&from, body, direction, Entry::Moving, may_lift_off);
-        }
-        self.perturbed(
-            &State {
-                slip: perturbed_start.slip,
-                ..from
-            },
-            solved,
-        )
+        self.slide_in_pieces(state, entry, |from, entry| {
+            self.exact.slide(from, body, direction, entry, may_lift_off)
+        })
     }
 
     fn fly(&self, state: &State, body: &Heavy, take_off: TakeOff) -> PhaseResult<Self> {
@@ -469,8 +503,25 @@ impl Solver for PerturbedSolver<'_> {
         motion: ResistedMotion,
         half_swings: usize,
     ) -> PhaseResult<Self> {
-        // The motion is tied to the velocities that are zero, so the start is not perturbed.
-        self.perturbed(state, self.exact.resisted(state, body, motion, half_swings))
+        let resisted = |from: &State, motion| self.exact.resisted(from, body, motion, half_swings);
+        match motion {
+            ResistedMotion::Slide {
+                direction,
+                rotation,
+                entry,
+            } => self.slide_in_pieces(state, entry, |from, entry| {
+                let motion = ResistedMotion::Slide {
+                    direction,
+                    rotation,
+                    entry,
+                };
+                resisted(from, motion)
+            }),
+            // What is zero stays zero.
+            ResistedMotion::Roll(_) | ResistedMotion::Skid(_) | ResistedMotion::Rest => {
+                self.perturbed(state, resisted(&self.perturbed_start(state), motion))
+            }
+        }
     }
 }
 

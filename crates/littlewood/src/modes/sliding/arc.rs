@@ -889,6 +889,11 @@ impl Sliding {
         self.direction
     }
 
+    /// Direction of rotation; none without rolling resistance, where it may change.
+    pub(crate) fn rotation(&self) -> Option<RotationDirection> {
+        RotationDirection::of_sign(self.law.resistance)
+    }
+
     /// Smallest and largest angle at the start, at the last step and at the turning points.
     pub(crate) fn theta_range(&self) -> (f64, f64) {
         let last = self

@@ -1,8 +1,8 @@
 //! The conditions of the events that end phases.
 
 use crate::math::number::{Dual, Number};
-use crate::mechanics::{Loads, RollingLaw, contact};
-use crate::model::{Heavy, State};
+use crate::mechanics::contact;
+use crate::model::{Heavy, RotationDirection, State};
 use crate::walk::Cause;
 
 use super::flow::{Motion, PhaseInstant, Plane};
@@ -59,8 +59,16 @@ impl Event {
         let angle = at.theta.angle();
         let u = at.rate * at.rate;
         let forces = || {
-            let law = RollingLaw::of_body(&plane.body);
-            law.forces_at(angle, Loads::of(u), law.denominator_of(angle))
+            let rotation = match motion {
+                Motion::Rolls(Some(rotation)) => Some(*rotation),
+                Motion::Rolls(None)
+                | Motion::Slides(..)
+                | Motion::Skids(_)
+                | Motion::Rests
+                | Motion::Glides
+                | Motion::Flies(_) => RotationDirection::of_sign(at.rate.value()),
+            };
+            plane.rolling(rotation).forces(angle, u)
         };
         match (self, motion) {
             (Self::Slip, _) => plane.friction.mu_s * forces().normal - forces().friction.abs(),

@@ -5,10 +5,13 @@
 //! are in closed form.
 
 use crate::math::number::{Dual, Number, WIDTH};
+use crate::math::series::root;
 use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::math::trig::{Angle, TruncatedSeries};
-use crate::mechanics::{Accelerations, ContactMotion, Loads, RollingLaw, SlidingLaw};
-use crate::model::{Friction, Heavy, SlipDirection, State};
+use crate::mechanics::{
+    Accelerations, ContactMotion, HeldLaw, Loads, ResistedRollingLaw, SlidingLaw,
+};
+use crate::model::{Friction, Heavy, RotationDirection, SlipDirection, State};
 use crate::modes::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE, gliding};
 
 use super::{Derivative, NoDerivative};
@@ -52,11 +55,14 @@ impl From<&State> for Point<f64> {
     }
 }
 
-/// A mode with its direction of slip, or with the start of a flight.
+/// A mode with its directions, or with the start of a flight. Without rolling resistance the
+/// direction of rotation may change, and is none.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Motion<T> {
-    Rolls,
-    Slides(SlipDirection),
+    Rolls(Option<RotationDirection>),
+    Slides(SlipDirection, Option<RotationDirection>),
+    Skids(SlipDirection),
+    Rests,
     Glides,
     Flies(FlightStart<T>),
 }
@@ -111,32 +117,69 @@ impl<T: Number> Plane<T> {
         }
     }
 
-    fn sliding(&self, direction: SlipDirection) -> SlidingLaw<T> {
-        SlidingLaw::of_body(self.body, self.friction.mu_k, direction)
+    /// ς χ; 0 without a direction, and never −0.
+    fn resistance(&self, rotation: Option<RotationDirection>) -> T {
+        let (zero, chi) = (T::constant(0.0), self.friction.rolling_resistance);
+        match rotation {
+            Some(RotationDirection::Positive) => chi,
+            Some(RotationDirection::Negative) => zero - chi,
+            None => zero,
+        }
+    }
+
+    fn sliding(
+        &self,
+        direction: SlipDirection,
+        rotation: Option<RotationDirection>,
+    ) -> SlidingLaw<T> {
+        SlidingLaw {
+            resistance: self.resistance(rotation),
+            ..SlidingLaw::of_body(self.body, self.friction.mu_k, direction)
+        }
+    }
+
+    pub(super) fn rolling(&self, rotation: Option<RotationDirection>) -> ResistedRollingLaw<T> {
+        ResistedRollingLaw::of_body(&self.body, self.resistance(rotation))
+    }
+
+    fn skidding(&self, direction: SlipDirection) -> HeldLaw<T> {
+        HeldLaw {
+            body: self.body,
+            friction: self.friction.mu_k * direction.sign(),
+        }
     }
 
     pub(super) fn rates(&self, motion: &Motion<T>, at: &Point<T>) -> Point<T> {
         let angle = at.theta.angle();
         let Point { rate, slip, .. } = *at;
         let Heavy { h, .. } = self.body;
+        let zero = T::constant(0.0);
+        let turns = |rotation: &Option<RotationDirection>| {
+            rotation.or_else(|| RotationDirection::of_sign(rate.value()))
+        };
         let accelerations = match motion {
-            Motion::Rolls => {
-                let law = RollingLaw::of_body(&self.body);
-                Accelerations {
-                    theta: law.acceleration(
-                        angle,
-                        Loads::of(rate * rate),
-                        law.denominator_of(angle),
-                    ),
-                    slip: T::constant(0.0),
-                }
-            }
-            Motion::Slides(direction) => self.sliding(*direction).accelerations_at(angle, rate),
+            Motion::Rolls(rotation) => Accelerations {
+                theta: self
+                    .rolling(turns(rotation))
+                    .acceleration(angle, rate * rate),
+                slip: zero,
+            },
+            Motion::Slides(direction, rotation) => self
+                .sliding(*direction, turns(rotation))
+                .accelerations_at(angle, rate),
+            Motion::Skids(direction) => Accelerations {
+                theta: zero,
+                slip: self.skidding(*direction).slip_acceleration(),
+            },
+            Motion::Rests => Accelerations {
+                theta: zero,
+                slip: zero,
+            },
             Motion::Glides => {
                 gliding::accelerations(h, self.body.pull(), Loads::of(rate * rate), angle)
             }
             Motion::Flies(_) => Accelerations {
-                theta: T::constant(0.0),
+                theta: zero,
                 slip: -(h * angle.sin * rate * rate) - self.body.pull(),
             },
         };
@@ -218,21 +261,36 @@ impl Plane<Dual> {
         times: &[f64],
     ) -> Vec<Derivative<Point<Dual>>> {
         match motion {
-            Motion::Rolls => {
-                let law = RollingLaw::of_body(&self.body);
-                in_steps(from, times, |place| roll_series(&law, place))
-                    .map(|place| {
-                        let PhasePoint { theta, rate } = place?;
-                        Ok(Point {
-                            theta,
-                            rate,
-                            slip: Dual::constant(0.0),
-                            x: from.x - (theta - from.theta),
-                        })
+            Motion::Rolls(rotation) => self
+                .in_steps(*rotation, from, times, |place, rotation| {
+                    roll_series(&self.rolling(rotation), place)
+                })
+                .map(|place| {
+                    let PhasePoint { theta, rate } = place?;
+                    Ok(Point {
+                        theta,
+                        rate,
+                        slip: Dual::constant(0.0),
+                        x: from.x - (theta - from.theta),
                     })
-                    .collect()
+                })
+                .collect(),
+            Motion::Slides(direction, rotation) => {
+                self.slide_to(*direction, *rotation, from, times)
             }
-            Motion::Slides(direction) => self.slide_to(&self.sliding(*direction), from, times),
+            Motion::Skids(direction) => {
+                let law = self.skidding(*direction);
+                let after = |elapsed: &f64| {
+                    let gained = law.slip_acceleration() * *elapsed;
+                    Ok(Point {
+                        slip: from.slip + gained,
+                        x: from.x + (from.slip + gained * 0.5) * *elapsed,
+                        ..*from
+                    })
+                };
+                times.iter().map(after).collect()
+            }
+            Motion::Rests => times.iter().map(|_| Ok(*from)).collect(),
             Motion::Glides => times
                 .iter()
                 .map(|elapsed| self.glide(from, *elapsed))
@@ -246,14 +304,18 @@ impl Plane<Dual> {
 
     fn slide_to(
         &self,
-        law: &SlidingLaw<Dual>,
+        direction: SlipDirection,
+        rotation: Option<RotationDirection>,
         from: &Point<Dual>,
         times: &[f64],
     ) -> Vec<Derivative<Point<Dual>>> {
-        let series = |place| {
-            let series = SlideSeries::new(law, place, from.slip);
+        let series = |place, rotation| {
+            let law = self.sliding(direction, rotation);
+            let series = SlideSeries::new(&law, place, from.slip);
             [series.theta, series.theta_rate]
         };
+        // The first integrals have no couple.
+        let law = self.sliding(direction, None);
         let coefficient = |Angle { sin, cos }: Angle<Dual>| law.slip_coefficient(sin, cos);
         let start = from.theta.angle();
         let path = law.path(
@@ -264,7 +326,7 @@ impl Plane<Dual> {
             },
             start,
         );
-        in_steps(from, times, series)
+        self.in_steps(rotation, from, times, series)
             .zip(times)
             .map(|(place, elapsed)| {
                 let PhasePoint { theta, rate } = place?;
@@ -331,17 +393,93 @@ impl Plane<Dual> {
             x,
         })
     }
+
+    /// Follows series of θ and θ′ to times that do not decrease.
+    fn in_steps(
+        &self,
+        rotation: Option<RotationDirection>,
+        from: &Point<Dual>,
+        times: &[f64],
+        series: impl Fn(PhasePoint<Dual>, Option<RotationDirection>) -> [Series<Dual>; 2],
+    ) -> impl Iterator<Item = Derivative<PhasePoint<Dual>>> {
+        let mut found = Vec::with_capacity(times.len());
+        let mut place = PhasePoint {
+            theta: from.theta,
+            rate: from.rate,
+        };
+        let mut passed = 0.0;
+        found.extend(
+            times
+                .iter()
+                .take_while(|elapsed| **elapsed <= 0.0)
+                .map(|_| Ok(place)),
+        );
+        let mut failed = NoDerivative::TooLong;
+        let begins_to_resist = self.begins_to_resist();
+        for _ in 0..MAX_STEPS {
+            if found.len() == times.len() {
+                break;
+            }
+            let rotation = if begins_to_resist {
+                let sign = |rate: Dual| RotationDirection::of_sign(rate.value);
+                sign(place.rate).or_else(|| sign(series(place, None)[1][1]))
+            } else {
+                rotation
+            };
+            let [theta, rate] = series(place, rotation);
+            let mut reach = reach(&rate);
+            if reach == 0.0 || reach.is_nan() {
+                failed = NoDerivative::Singular;
+                break;
+            }
+            let turns = begins_to_resist.then(|| turning_point(&rate, reach));
+            let turns = turns.flatten();
+            reach = turns.unwrap_or(reach);
+            let at = |width| PhasePoint {
+                theta: value(&theta, width),
+                rate: value(&rate, width),
+            };
+            let within = times[found.len()..].iter().map(|elapsed| elapsed - passed);
+            found.extend(
+                within
+                    .take_while(|width| *width <= reach)
+                    .map(|width| Ok(at(width))),
+            );
+            place = at(reach);
+            if turns.is_some() {
+                place.rate = place.rate.at(0.0);
+            }
+            passed += reach;
+        }
+        found.resize(times.len(), Err(failed));
+        found.into_iter()
+    }
+
+    /// Whether χ = 0, and motions are differentiated by it: to first order the couple then acts
+    /// along the motion that it has not yet changed, whose rotation may reverse within a phase.
+    pub(super) fn begins_to_resist(&self) -> bool {
+        let chi = self.friction.rolling_resistance;
+        chi.value == 0.0 && !chi.vanishes()
+    }
+}
+
+/// Where θ′ reverses within a step.
+fn turning_point(rate: &Series<Dual>, width: f64) -> Option<f64> {
+    let rate = rate.map(|c| c.value);
+    let (first, last) = (rate[0], value(&rate, width));
+    (first * last < 0.0).then(|| root(&rate, 0.0, first.signum(), width))
 }
 
 /// The Taylor series of rolling about an angle and a rate: those of θ and θ′.
 fn roll_series<T: Number>(
-    law: &RollingLaw<T>,
+    law: &ResistedRollingLaw<T>,
     PhasePoint { theta, rate }: PhasePoint<T>,
 ) -> [Series<T>; 2] {
     let zero = [T::constant(0.0); DEGREE + 1];
     let (mut angle, mut spin) = (zero, zero);
     let (mut sin, mut cos, mut u, mut increment) = (zero, zero, zero, zero);
     let (mut denominator, mut acceleration) = (zero, zero);
+    let offset = law.rolling.offset;
     (angle[0], spin[0]) = (theta, rate);
     let start = theta.angle();
     (sin[0], cos[0]) = (start.sin, start.cos);
@@ -356,14 +494,14 @@ fn roll_series<T: Number>(
         }
         let [square] = convolve([(&spin, &spin)], n);
         u[n] = square;
-        let [sin_u] = convolve([(&sin, &u)], n);
+        let [sin_u, cos_u] = convolve([(&sin, &u), (&cos, &u)], n);
         denominator[n] = if n == 0 {
             law.denominator_of(start)
         } else {
-            law.offset * 2.0 * cos[n]
+            offset * (cos[n] * 2.0 - law.resistance * sin[n])
         };
-        let one = T::constant(if n == 0 { 1.0 } else { 0.0 });
-        let mut remainder = law.driving_moment(one, cos[n], sin[n] + sin_u);
+        let one = if n == 0 { 1.0 } else { 0.0 };
+        let mut remainder = law.driving_moment(one, cos[n], sin[n] + sin_u, cos_u);
         for j in 1..=n {
             remainder = remainder - denominator[j] * acceleration[n - j];
         }
@@ -371,52 +509,6 @@ fn roll_series<T: Number>(
         order += 1.0;
     }
     [angle, spin]
-}
-
-/// Follows series of θ and θ′ to times that do not decrease.
-fn in_steps(
-    from: &Point<Dual>,
-    times: &[f64],
-    series: impl Fn(PhasePoint<Dual>) -> [Series<Dual>; 2],
-) -> impl Iterator<Item = Derivative<PhasePoint<Dual>>> {
-    let mut found = Vec::with_capacity(times.len());
-    let mut place = PhasePoint {
-        theta: from.theta,
-        rate: from.rate,
-    };
-    let mut passed = 0.0;
-    found.extend(
-        times
-            .iter()
-            .take_while(|elapsed| **elapsed <= 0.0)
-            .map(|_| Ok(place)),
-    );
-    let mut failed = NoDerivative::TooLong;
-    for _ in 0..MAX_STEPS {
-        if found.len() == times.len() {
-            break;
-        }
-        let [theta, rate] = series(place);
-        let reach = reach(&rate);
-        if reach == 0.0 || reach.is_nan() {
-            failed = NoDerivative::Singular;
-            break;
-        }
-        let at = |width| PhasePoint {
-            theta: value(&theta, width),
-            rate: value(&rate, width),
-        };
-        let within = times[found.len()..].iter().map(|elapsed| elapsed - passed);
-        found.extend(
-            within
-                .take_while(|width| *width <= reach)
-                .map(|width| Ok(at(width))),
-        );
-        place = at(reach);
-        passed += reach;
-    }
-    found.resize(times.len(), Err(failed));
-    found.into_iter()
 }
 
 /// The step on which a series and its derivatives converge to rounding, by the rule of

@@ -14,6 +14,10 @@
 //! derivatives ([`crate::math::number`]); there is no difference quotient. Where a derivative does
 //! not exist, [`NoDerivative`] says why.
 //!
+//! With rolling resistance a phase keeps its direction of rotation, and θ′ = 0 is an event like the
+//! others. Without it the derivative by χ is that from within: to first order the couple −ς χ N acts
+//! along the motion that it has not yet changed, with the sign of its rate.
+//!
 //! [`tangents`] passes from phase to phase, [`flow`] evolves a state in a phase, and [`event`] has the conditions g.
 
 mod event;
@@ -30,7 +34,7 @@ use crate::modes::Recurrence;
 use crate::motion::columns::SummaryColumn;
 use crate::motion::trajectory::Trajectory;
 
-use summary::PassedMotion;
+use summary::{PassedMotion, is_of_end};
 use tangents::{InstantOfPhase, Tangents};
 
 named! {
@@ -42,7 +46,8 @@ named! {
         /// terms.
         Grazing = 0, "grazing" => "the event is touched, not crossed, but for rounding: its time has no derivative";
         /// The motion begins differently on the two sides of the value. At an end of its range a
-        /// quantity has the derivative from within.
+        /// quantity has the derivative from within; but a motion that goes on for ever without
+        /// rolling resistance ends with the least of it.
         OneSided = 1, "one_sided" => "on the two sides of this value the motion begins differently";
         /// P = 0, or a rate or a force without bound.
         Singular = 2, "singular" => "the equations of motion are singular there";
@@ -64,9 +69,6 @@ fn reason(quantity: Quantity) -> String {
         return "the motion ends at its first landing, without a coefficient of restitution"
             .to_owned();
     }
-    if quantity == Quantity::RollingResistance {
-        return "they are not built yet".to_owned();
-    }
     let known = differentiable(true);
     format!(
         "quantities of hoop and start are {}",
@@ -75,13 +77,12 @@ fn reason(quantity: Quantity) -> String {
 }
 
 /// The quantities of a hoop and a start with respect to which motions have derivatives: the
-/// coefficient of restitution only of a hoop that bounces, rolling resistance not yet.
+/// coefficient of restitution only of a hoop that bounces.
 pub fn differentiable(bounces: bool) -> impl Iterator<Item = Quantity> {
     Quantity::HOOP
         .into_iter()
         .chain(Quantity::START)
         .filter(move |quantity| bounces || *quantity != Quantity::Restitution)
-        .filter(|quantity| *quantity != Quantity::RollingResistance)
 }
 
 /// The derivatives of one transition with respect to one quantity.
@@ -174,7 +175,7 @@ impl Trajectory {
         for quantity in quantities {
             self.check_quantity(*quantity)?;
         }
-        for group in quantities.chunks(WIDTH) {
+        for group in self.groups(quantities) {
             self.add_derivatives(group, &mut all);
         }
         Ok(all)
@@ -204,7 +205,7 @@ impl Trajectory {
             .collect();
         order.sort_by(|one, other| times[*one].total_cmp(&times[*other]));
         let sorted: Vec<f64> = order.iter().map(|place| times[*place]).collect();
-        for group in quantities.chunks(WIDTH) {
+        for group in self.groups(quantities) {
             let mut walk = Tangents::new(self, group);
             for (place, at) in order.iter().zip(walk.instants(&sorted)) {
                 let states =
@@ -223,11 +224,17 @@ impl Trajectory {
         Ok(found)
     }
 
+    /// Groups of quantities that share the series of the state. Rolling resistance that is zero is on
+    /// its own: what is differentiated by it has the equations with resistance.
+    fn groups<'a>(&self, quantities: &'a [Quantity]) -> impl Iterator<Item = &'a [Quantity]> {
+        let begins = self.hoop.rolling_resistance() == 0.0;
+        let is_alone = move |it: &Quantity| begins && *it == Quantity::RollingResistance;
+        quantities
+            .chunk_by(move |one, other| !is_alone(one) && !is_alone(other))
+            .flat_map(|group| group.chunks(WIDTH))
+    }
+
     fn check_quantity(&self, quantity: Quantity) -> Result<(), NotDifferentiable> {
-        if self.hoop.rolling_resistance() > 0.0 {
-            let quantity = Quantity::RollingResistance;
-            return Err(NotDifferentiable { quantity });
-        }
         let bounces = self.hoop.restitution().is_some();
         if differentiable(bounces).any(|known| known == quantity) {
             Ok(())
@@ -272,13 +279,19 @@ impl Trajectory {
             end: end.map(|(at, _)| at),
         }
         .numbers();
-        for (row, number) in all.summary.iter_mut().zip(numbers) {
-            row.extend(walk.by_quantity(number, |number, k| number.parts[k]));
+        let rows = all.summary.iter_mut().zip(SummaryColumn::reals());
+        for ((row, column), number) in rows.zip(numbers) {
+            let parts = walk.by_quantity(number, |number, k| number.parts[k]);
+            row.extend(if is_of_end(column) {
+                walk.at_end(parts)
+            } else {
+                parts
+            });
         }
         let outcome = walk.by_quantity(end, |(at, recurrence), k| OutcomeDerivative {
             state: walk.state(&at, k),
             recurrence: recurrence.map(|it| it.map(|number| number.parts[k])),
         });
-        all.outcome.extend(outcome);
+        all.outcome.extend(walk.at_end(outcome));
     }
 }

@@ -37,6 +37,19 @@ impl Trajectory {
     }
 }
 
+/// Whether a number is that of the end of the motion.
+pub(super) const fn is_of_end(column: SummaryColumn) -> bool {
+    matches!(
+        column,
+        SummaryColumn::EndTime
+            | SummaryColumn::EndTheta
+            | SummaryColumn::EndThetaRate
+            | SummaryColumn::EndSlip
+            | SummaryColumn::EndX
+            | SummaryColumn::Energy
+    )
+}
+
 /// A motion whose phases are passed: its events, and its end.
 pub(super) struct PassedMotion<'a> {
     pub(super) walk: &'a Tangents<'a>,

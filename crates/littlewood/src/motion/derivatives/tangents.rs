@@ -146,11 +146,38 @@ impl<'a> Tangents<'a> {
             .collect()
     }
 
+    /// Derivatives of the end of the motion, for each quantity. No motion without rolling resistance
+    /// that goes on for ever is the limit of those with it.
+    pub(super) fn at_end<P>(&self, derivatives: Vec<Derivative<P>>) -> Vec<Derivative<P>> {
+        let is_endless = matches!(
+            self.motion.outcome,
+            Outcome::RollsForever { .. }
+                | Outcome::SlidesForever { .. }
+                | Outcome::SlipsForever { .. }
+                | Outcome::RepeatsForever { .. }
+        );
+        let begins = is_endless && self.motion.hoop.rolling_resistance() == 0.0;
+        let all = derivatives.into_iter().zip(&self.quantities);
+        all.map(|(derivative, quantity)| {
+            if begins && *quantity == Quantity::RollingResistance {
+                Err(NoDerivative::OneSided)
+            } else {
+                derivative
+            }
+        })
+        .collect()
+    }
+
     fn one_sided(&self, quantity: Quantity) -> bool {
         let flies = self.motion.phases.first().map(Phase::mode) == Some(Mode::Flight);
         // With inertia it is another body.
         let is_massless = matches!(self.motion.hoop.body(), Body::Massless(_));
+        let resists = self.motion.hoop.rolling_resistance() > 0.0;
         (quantity == Quantity::Slip && self.motion.start.slip == 0.0 && !flies)
+            || (quantity == Quantity::ThetaRate
+                && self.motion.start.theta_rate == 0.0
+                && resists
+                && !flies)
             || (quantity == Quantity::GapRate && !flies)
             || (is_massless && [Quantity::MassRatio, Quantity::Inertia].contains(&quantity))
     }
@@ -207,21 +234,20 @@ impl<'a> Tangents<'a> {
         }
     }
 
-    fn motion_of(&self, phase: &Phase) -> Derivative<Motion<Dual>> {
-        Ok(match &phase.solution {
-            PhaseSolution::Rolling(_) => Motion::Rolls,
-            PhaseSolution::Sliding(slide) => Motion::Slides(slide.direction()),
+    fn motion_of(&self, phase: &Phase) -> Motion<Dual> {
+        match &phase.solution {
+            PhaseSolution::Rolling(_) => Motion::Rolls(None),
+            PhaseSolution::ResistedRolling(rolling) => Motion::Rolls(Some(rolling.direction())),
+            PhaseSolution::Sliding(slide) => Motion::Slides(slide.direction(), slide.rotation()),
+            PhaseSolution::Skidding(skid) => Motion::Skids(skid.direction()),
+            PhaseSolution::Rest(_) => Motion::Rests,
             PhaseSolution::Gliding(_) => Motion::Glides,
             PhaseSolution::Flight(flight) => Motion::Flies(FlightStart {
                 point: self.now.point,
                 gap_rate: self.gap_rate.at(flight.take_off_rate()),
                 lifts_off: flight.lifts_off(),
             }),
-            // Motions with rolling resistance are refused.
-            PhaseSolution::ResistedRolling(_)
-            | PhaseSolution::Skidding(_)
-            | PhaseSolution::Rest(_) => return Err(NoDerivative::Singular),
-        })
+        }
     }
 
     /// The state at the start of a phase, with its derivatives, as exact as the phase has it.
@@ -253,7 +279,9 @@ impl<'a> Tangents<'a> {
     ) -> Vec<Derivative<Point<Dual>>> {
         let from = &self.now.point;
         let longest = times.last().copied().unwrap_or(0.0);
-        let recurrence = self.recurrence(phase, longest);
+        // Resistance changes the motion from period to period.
+        let repeats = !self.plane.begins_to_resist();
+        let recurrence = repeats.then(|| self.recurrence(phase, longest)).flatten();
         let Some(period) = recurrence.and_then(|it| it.period()) else {
             return self.plane.evolve_to(motion, from, times);
         };
@@ -295,7 +323,7 @@ impl<'a> Tangents<'a> {
         let (Some(end), Some(number)) = (phase.end, phase.ended_by) else {
             return Ok(None);
         };
-        let motion = self.motion_of(phase)?;
+        let motion = self.motion_of(phase);
         let transition = &self.motion.transitions[number];
         let jump = if transition.cause == Cause::Settle {
             self.settle(&motion, &end)?
@@ -334,9 +362,11 @@ impl<'a> Tangents<'a> {
             elapsed: time,
             point: self.to_event(motion, &point, later),
         };
-        if event == Event::Rest {
-            // At the event of each motion, whenever it comes.
-            before.point.slip = Dual::constant(0.0);
+        // At the event of each motion, whenever it comes.
+        match event {
+            Event::Rest => before.point.slip = Dual::constant(0.0),
+            Event::TurningPoint => before.point.rate = Dual::constant(0.0),
+            Event::Slip | Event::Unloaded | Event::LiftOff | Event::Landing => {}
         }
         if let Some(impact) = &transition.impact {
             let gap_rate = self.gap_rate_at(motion, &instant, later);
@@ -419,7 +449,7 @@ impl<'a> Tangents<'a> {
             return (slope.value, 1.0 + self.plane.body.h.value * u);
         }
         // The rate is the gradient of the condition, over a point whose four numbers vary, times
-        // the rates of these numbers. In contact no condition depends on the motion.
+        // the rates of these numbers.
         let variable = |number: Dual, place: usize| {
             let mut variable = Dual::constant(number.value);
             variable.parts[place] = 1.0;
@@ -435,7 +465,7 @@ impl<'a> Tangents<'a> {
             elapsed: instant.elapsed,
         };
         let plane = self.plane.map(|number| Dual::constant(number.value));
-        let gradient = event.condition(&plane, &Motion::Rolls, &varied).parts;
+        let gradient = event.condition(&plane, motion, &varied).parts;
         let rates = self.plane.rates(motion, at);
         let rates = [rates.theta, rates.rate, rates.slip, rates.x].map(Dual::value);
         let terms = gradient
@@ -510,7 +540,7 @@ impl<'a> Tangents<'a> {
         times: &[f64],
     ) -> Derivative<Vec<Derivative<InstantOfPhase>>> {
         self.begin(phase)?;
-        let motion = self.motion_of(phase)?;
+        let motion = self.motion_of(phase);
         let within: Vec<f64> = times
             .iter()
             .map(|elapsed| (elapsed - phase.start.time).max(0.0))
@@ -533,7 +563,11 @@ impl<'a> Tangents<'a> {
                         };
                         self.plane.gap(flight, since).0
                     }
-                    Motion::Rolls | Motion::Slides(_) | Motion::Glides => Dual::constant(0.0),
+                    Motion::Rolls(_)
+                    | Motion::Slides(..)
+                    | Motion::Skids(_)
+                    | Motion::Rests
+                    | Motion::Glides => Dual::constant(0.0),
                 };
                 Ok(InstantOfPhase {
                     at: Instant {
