@@ -478,6 +478,35 @@ fn little_friction() -> impl Strategy<Value = (Hoop, Vec<Start>)> {
     })
 }
 
+/// A hoop without an equilibrium on its slope goes downhill, however slowly it starts.
+#[test]
+fn rates_whose_squares_underflow_roll_downhill() {
+    let parameters = HoopParameters::thin(1.2573956572474367)
+        .with_offset(0.1362667187929199)
+        .with_inertia(0.2)
+        .with_friction(0.05, 0.0)
+        .with_slope(0.32079658659971394);
+    let hoop = Hoop::new(parameters).expect("a valid hoop");
+    let from_rest = hoop.simulate(Start::at(1.5707963267957452, 0.0), Limits::until(30.0));
+    let from_rest = from_rest.expect("a valid start").summary();
+    for power in 100..=323 {
+        for rate in [
+            1.287_312_555_418_065 * libm::exp10(-f64::from(power)),
+            -1.287_312_555_418_065 * libm::exp10(-f64::from(power)),
+        ] {
+            let start = Start::at(1.5707963267957452, rate);
+            let summary = Engine::new(&hoop).summary(start, Limits::until(30.0));
+            let summary = summary.expect("a valid start");
+            assert_eq!(summary.outcome, from_rest.outcome, "{rate:e}");
+            assert_eq!(summary.sequence, from_rest.sequence, "{rate:e}");
+            assert!(
+                (summary.end.time - from_rest.end.time).abs() < 1e-12,
+                "{rate:e}"
+            );
+        }
+    }
+}
+
 #[test]
 fn a_hoop_whose_motion_amplifies_rounding_has_no_tables() {
     let parameters = HoopParameters::thin(1.773_133_977_533_948_6e-9)

@@ -37,6 +37,9 @@ pub(super) struct HoopModel {
     pub(super) fallbacks: FallbackCounts,
 }
 
+/// θ′² below which energies on a slope underflow: parts ε of ε of it are still normal numbers.
+const MIN_SQUARE_OF_RATE: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
+
 /// How a slide begins, and for how long it is followed.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlideStart {
@@ -104,6 +107,10 @@ impl HoopModel {
             if on_limit {
                 // Rounding would decide whether the hoop slips at once.
                 return Err(Fallback::FrictionLimit);
+            }
+            if start.u() < MIN_SQUARE_OF_RATE {
+                // Gravity decides where it goes.
+                return Err(Fallback::Standstill);
             }
             return slope::solve_roll(tables, start);
         }
