@@ -232,12 +232,12 @@ class Outcome:
     details : mapping
         More data: `gap_rate` of a landing; `half_swings` before rest; `recurrence`, `period`,
         `theta_min`, `theta_max`, `theta_limit` of an endless motion, and of the orbit that one with
-        `slips_forever` approaches; of that orbit `grazing_energy`, `grazing_theta` and `grazing_theta_rate`, and
-        `slips_to_halve` its distance; `theta_gained` and `transitions` in the period of a periodic
-        one; `transitions` at their limit; `consistent`, `rolling_normal`, `rolling_friction`,
-        `contact`, `solvability_negative`, `solvability_positive` where no motion or several are
-        consistent; `solvability` of a singular slide; what an unresolved motion depends on:
-        `compared`, its `value` and the `bound` of its rounding, or of its range.
+        `slips_forever` approaches; of that orbit `grazing_energy`, `grazing_theta` and
+        `grazing_theta_rate`, and `slips_to_halve` its distance; `theta_gained` and `transitions` in
+        the period of a periodic one; `transitions` at their limit; `consistent`, `rolling_normal`,
+        `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive` where no
+        motion or several are consistent; `solvability` of a singular slide; what an unresolved
+        motion depends on: `compared`, its `value` and the `bound` of its rounding, or of its range.
     sentence : str
         The end in words.
     """
