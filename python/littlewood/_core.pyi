@@ -41,6 +41,7 @@ class _Impact(TypedDict):
     impulse: _Impulse
     normal_work: float
     friction_work: float
+    resistance_work: float
     energy_lost: float
     gains_energy: bool
 

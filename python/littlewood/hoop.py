@@ -43,7 +43,7 @@ class Hoop:
         Coefficient of kinetic friction, μk ≥ 0.
     rolling_resistance : float, optional
         Coefficient χ ≥ 0 of rolling resistance, a length over the radius. With χ > 0 the hoop
-        comes to rest.
+        can come to rest.
     slope : float, optional
         Angle α by which the plane rises to the right, rad, |α| < π/2. On a slope x is measured
         along the plane and θ from its normal.

@@ -91,7 +91,8 @@ class Phase:
     energy_start : float
         Energy at the start (2.8), m2 g R.
     energy_lost : float
-        Energy lost to friction and rolling resistance during the phase, m2 g R, without an impact that ends it.
+        Energy lost to friction and rolling resistance during the phase, m2 g R, without an impact
+        that ends it.
     is_small_inertia_limit : bool
         False for a glide that is not the limit of motions of a heavy hoop as its inertia vanishes.
     ended_by : int or None
@@ -158,6 +159,8 @@ class Impact:
         Impulse of the plane on the body, m2 √(gR).
     normal_work, friction_work : float
         Works of the two parts of the impulse, m2 g R.
+    resistance_work : float
+        Work of the couple of rolling resistance, m2 g R; zero or negative.
     energy_lost : float
         Energy lost, m2 g R. Negative where Newton's law gains energy.
     gains_energy : bool
@@ -170,6 +173,7 @@ class Impact:
     impulse: Impulse
     normal_work: float
     friction_work: float
+    resistance_work: float
     energy_lost: float
     gains_energy: bool
 
@@ -226,14 +230,14 @@ class Outcome:
     state : State
         State at the end, or at the start of an endless phase.
     details : mapping
-        More data: `gap_rate` of a landing; `recurrence`, `period`, `theta_min`, `theta_max`,
-        `theta_limit` of an endless motion, and of the orbit that one with `slips_forever`
-        approaches; of that orbit `grazing_energy`, `grazing_theta` and `grazing_theta_rate`, and
-        `slips_to_halve` its distance; `theta_gained` and `transitions` in the period of a periodic
-        one; `transitions` at their limit; `consistent`, `rolling_normal`, `rolling_friction`,
-        `contact`, `solvability_negative`, `solvability_positive` where no motion or several are
-        consistent; `solvability` of a singular slide; what an unresolved motion depends on:
-        `compared`, its `value` and the `bound` of its rounding, or of its range.
+        More data: `gap_rate` of a landing; `half_swings` before rest; `recurrence`, `period`,
+        `theta_min`, `theta_max`, `theta_limit` of an endless motion, and of the orbit that one with
+        `slips_forever` approaches; of that orbit `grazing_energy`, `grazing_theta` and
+        `grazing_theta_rate`, and `slips_to_halve` its distance; `theta_gained` and `transitions` in
+        the period of a periodic one; `transitions` at their limit; `consistent`, `rolling_normal`,
+        `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive` where no
+        motion or several are consistent; `solvability` of a singular slide; what an unresolved
+        motion depends on: `compared`, its `value` and the `bound` of its rounding, or of its range.
     sentence : str
         The end in words.
     """

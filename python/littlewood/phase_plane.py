@@ -41,6 +41,9 @@ class PhasePlane:
     All methods broadcast over arrays of any shape (and xarray objects). Angles in rad, rates in
     √(g/R), forces in m2 g, energies in m2 g R. Curves are |θ′| over θ, NaN where they do not exist.
 
+    With rolling resistance rolling one way has other limits than rolling the other, and no energy:
+    forces and regions of states are there, of the curves only that of lift-off and no equilibria.
+
     Parameters
     ----------
     hoop : Hoop
@@ -73,7 +76,7 @@ class PhasePlane:
         return broadcast(self._core.friction, theta, theta_rate)
 
     def energy(self, theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:
-        """Energy E of rolling (2.8), which is constant along an orbit."""
+        """Energy E of rolling (2.8), constant along an orbit without rolling resistance."""
         return broadcast(self._core.energy, theta, theta_rate)
 
     def in_contact_region(self, theta: npt.ArrayLike, theta_rate: npt.ArrayLike) -> Any:

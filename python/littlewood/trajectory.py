@@ -583,6 +583,7 @@ def _impact(given: _core._Impact) -> Impact:
         impulse=Impulse(**given["impulse"]),
         normal_work=given["normal_work"],
         friction_work=given["friction_work"],
+        resistance_work=given["resistance_work"],
         energy_lost=given["energy_lost"],
         gains_energy=given["gains_energy"],
     )

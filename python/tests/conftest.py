@@ -14,6 +14,11 @@ matplotlib.use("agg")
 
 ROOT = Path(__file__).resolve().parents[2]
 
+# Motions with rolling resistance, from a program that has nothing of this one.
+RESISTANCE = json.loads((ROOT / "evidence" / "reference" / "resistance.json").read_text())[
+    "motions"
+]
+
 
 @pytest.fixture(scope="session")
 def binary() -> Path:
@@ -53,6 +58,13 @@ def command_json(command: Callable[..., subprocess.CompletedProcess[str]]) -> Ca
 def hoop() -> lw.Hoop:
     """The hoop of Figure 3."""
     return lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4)
+
+
+def resisted_hoop(motion: dict[str, Any]) -> lw.Hoop:
+    """The hoop of one of those motions."""
+    return lw.Hoop(
+        **motion["hoop"], restitution=motion["restitution"], restitution_law=motion["law"]
+    )
 
 
 def flags(**values: float | str) -> list[str]:

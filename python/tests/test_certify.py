@@ -23,6 +23,7 @@ from typing import Any
 
 import flint
 import pytest
+from conftest import RESISTANCE
 
 from littlewood.certify import Case, CaseError, Refused, certify, check, checker, dump
 from littlewood.certify.__main__ import main
@@ -554,11 +555,6 @@ def test_rolling_down_a_slope_has_its_closed_form() -> None:
     assert middle - radius <= low and high <= middle + radius
     assert not certificate["events"]
     assert check(certificate)["events"] == 0
-
-
-RESISTANCE = json.loads((ROOT / "evidence" / "reference" / "resistance.json").read_text())[
-    "motions"
-]
 
 
 def of_families(most: int) -> Iterator[dict[str, Any]]:

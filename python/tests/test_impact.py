@@ -6,7 +6,7 @@ import pickle
 
 import numpy as np
 import pytest
-from conftest import flags
+from conftest import RESISTANCE, flags, resisted_hoop
 
 import littlewood as lw
 
@@ -65,6 +65,28 @@ def test_the_landing_of_figure_3(e, hoop):
     assert b * friction + c * normal == pytest.approx(
         impact.after.gap_rate - impact.before.gap_rate, abs=1e-12
     )
+
+
+def test_an_impact_with_rolling_resistance_has_the_work_of_its_couple():
+    # The hoop jams as it rolls, and the impact leaves it at rest.
+    reference = next(
+        one
+        for one in RESISTANCE
+        if one["family"] == "jams_of_rolling" and len(one["transitions"]) == 1
+    )
+    motion = resisted_hoop(reference).simulate(**reference["start"])
+    (event,) = motion.transitions
+    assert (event.cause, event.to_mode, motion.outcome.kind) == ("jam", "rest", "rests")
+    lost = {name: float(value) for name, value in reference["lost"].items()}
+    impact = event.impact
+    assert -impact.resistance_work == pytest.approx(lost["resistance"], abs=1e-13)
+    assert -(impact.normal_work + impact.friction_work) == pytest.approx(
+        lost["sliding"] + lost["restitution"], abs=1e-13
+    )
+    assert impact.energy_lost == pytest.approx(sum(lost.values()), abs=1e-13)
+    # It is lost in an impact, not to the resistance of a phase.
+    assert motion.rolling_resistance_energy_lost == 0.0
+    assert motion.impact_energy_lost == impact.energy_lost
 
 
 def test_figure_3_settles(hoop):

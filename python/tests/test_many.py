@@ -45,6 +45,24 @@ def test_a_few_starts_are_those_of_simulate(hoop):
         assert result.transitions[i] == len(motion.transitions)
 
 
+def test_rolling_resistance_is_an_axis(hoop):
+    axes = {"rolling_resistance": np.array([0.0, 0.05, 0.2]), "theta": np.array([2.0, 2.5, 3.1])}
+    plane = lw.outcome_map(hoop, **axes, theta_rate=0.0)
+    assert dict(plane.sizes) == {"rolling_resistance": 3, "theta": 3}
+    for i, chi in enumerate(axes["rolling_resistance"]):
+        body = dataclasses.replace(hoop, rolling_resistance=chi)
+        for j, angle in enumerate(axes["theta"]):
+            motion = body.simulate(theta=angle, theta_rate=0)
+            point = plane.isel(rolling_resistance=i, theta=j)
+            assert lw.tables.OUTCOMES[int(point.outcome)] == motion.outcome.kind
+            assert str(lw.sequence_names(point.sequence)) == motion.sequence
+            swings = motion.outcome.details.get("half_swings", 0)
+            assert int(point.half_swings) == swings
+    # sin θ of the band of rest: the couple χN, N = 1 + m, holds the weight of the particle.
+    assert plane.half_swings.sel(theta=3.1).values.tolist()[1:] == [0, 0]
+    assert abs(math.sin(3.1)) < 0.05 * 2
+
+
 def impacts_of(motion):
     """Number of landings, energy lost in impacts, and a time.
 

@@ -3,6 +3,7 @@ import pickle
 
 import numpy as np
 import pytest
+from conftest import RESISTANCE, resisted_hoop
 
 import littlewood as lw
 
@@ -131,6 +132,37 @@ def test_a_motion_that_lasts_for_ever():
     before, after = motion([1.0, 1.0 + 1e6 * period]).theta
     assert before == pytest.approx(after, abs=1e-8)
     assert motion.shown_until == 2 * period
+
+
+def test_a_motion_with_rolling_resistance_comes_to_rest():
+    reference = RESISTANCE[0]
+    start = reference["start"]
+    motion = resisted_hoop(reference).simulate(**start)
+    assert [phase.mode for phase in motion.phases] == ["rolling", "rolling", "rest"]
+    assert motion.sequence == "R0"
+    assert [one.cause for one in motion.transitions] == ["turning_point"] * 2
+    for found, expected in zip(motion.transitions, reference["transitions"], strict=True):
+        for name in ("time", "theta", "theta_rate", "slip", "x"):
+            assert getattr(found.state, name) == pytest.approx(float(expected[name]), abs=1e-12)
+    lost = [float(one["lost"]["resistance"]) for one in reference["transitions"]]
+    assert motion.phases[0].energy_lost == pytest.approx(lost[0], abs=1e-13)
+    assert motion.rolling_resistance_energy_lost == pytest.approx(lost[1], abs=1e-13)
+    assert motion.energy_lost == motion.rolling_resistance_energy_lost
+    assert math.copysign(1.0, motion.impact_energy_lost) == 1.0
+    outcome = motion.outcome
+    assert (outcome.kind, outcome.is_final, outcome.period) == ("rests", True, None)
+    assert dict(outcome.details) == {"half_swings": 2}
+    assert "after 2 half swings" in str(motion)
+    # What follows for ever is shown for a while, and stands still.
+    rest = motion.phases[-1]
+    assert (rest.end, motion.end_time) == (None, math.inf)
+    table = motion.to_pandas()
+    still = table[table["mode"] == "rest"]
+    assert len(still) > 1 and set(still["theta"]) == {rest.start.theta}
+    assert set(still["x"]) == {rest.start.x} and set(still["theta_rate"]) == {0.0}
+    dataset = motion.to_xarray()
+    assert dataset.attrs["outcome"] == "rests"
+    assert dataset.attrs["rolling_resistance"] == reference["hoop"]["rolling_resistance"]
 
 
 def test_no_motion_is_consistent():

@@ -207,3 +207,39 @@ test('SI units show the same motion in seconds, and come back to the same number
   for (const [i, it] of (await phases(page)).entries())
     expect(Math.abs(it.time - plain[i]!.time)).toBeLessThan(1e-9);
 });
+
+test('with rolling resistance a hoop rolls to and fro, and rests', async ({ page }) => {
+  await open(page, 'case=figure-2-libration&rolling_resistance=0.05&map=0');
+  const found = await phases(page);
+  expect(found.map(({ mode, end }) => [mode, end])).toEqual([
+    ['rolling', 'turning point'],
+    ['rolling', 'turning point'],
+    ['rolling', 'turning point'],
+    ['rest', 'never'],
+  ]);
+  // It rests where the weight of the particle is less than the couple of the resistance, χ(1 + m).
+  expect(Math.abs(Math.sin(found.at(-1)!.theta))).toBeLessThan(0.05 * 2);
+  await expect(page.locator('#energy-legend [data-energy=lost_in_impacts]')).toBeHidden();
+  await expect(page.locator('#moves-sentence')).toHaveText(
+    'There are no derivatives with rolling resistance yet.',
+  );
+  // The curves of rolling belong to a hoop that rolls alike in both directions.
+  await expect(page.locator('#curves [data-curve=separatrix]')).toBeHidden();
+  await expect(page.locator('#curves [data-curve=lift_off]')).toBeVisible();
+  await expect(page.locator('#curves')).toContainText('no curves of rolling');
+
+  await page.locator('#next').click();
+  await expect(page.locator('#sentence')).toContainText('Turns back');
+  await page.locator('#last').click();
+  await expect(page.locator('#mode')).toHaveText('rest');
+  // All that the hoop has lost it has lost by rolling: what the phases say together.
+  const lost = async (part: string): Promise<number> =>
+    Number(await page.locator(`output[data-part=${part}]`).innerText());
+  expect(Math.abs((await lost('lost_to_rolling_resistance')) - 0.1987)).toBeLessThan(1e-4);
+  expect(await lost('lost_to_friction')).toBe(0);
+
+  await type(page, 'rolling_resistance', '0');
+  await expect(page.locator('#curves [data-curve=separatrix]')).toBeVisible();
+  await expect(page.locator('#curves')).not.toContainText('no curves of rolling');
+  await expect(page.locator('#energy')).toBeHidden();
+});

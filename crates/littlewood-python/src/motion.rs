@@ -150,6 +150,7 @@ pub(crate) struct ImpactDict {
     impulse: ImpulseDict,
     normal_work: f64,
     friction_work: f64,
+    resistance_work: f64,
     energy_lost: f64,
     gains_energy: bool,
 }
@@ -166,6 +167,7 @@ impl From<&Impact> for ImpactDict {
             },
             normal_work: impact.normal_work,
             friction_work: impact.friction_work,
+            resistance_work: impact.resistance_work,
             energy_lost: impact.energy_lost(),
             gains_energy: impact.gains_energy(),
         }

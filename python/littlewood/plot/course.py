@@ -74,8 +74,9 @@ def path(motion: MotionLike, axes: Axes | None = None, *, count: int = 1001) -> 
         shown.add(mode)
     _mark_hoops(motion, axes, samples, x_high - x_low)
     axes.set_xlim(x_low, x_high)
-    # Room for two rows of labels.
-    axes.set_ylim(y_low - 0.045 * (x_high - x_low), y_high)
+    # Room for two rows of labels, whether the width or the height of the axes decides the scale.
+    room = max(0.045 * (x_high - x_low), 0.18 * (y_high - y_low))
+    axes.set_ylim(y_low - room, y_high)
     axes.set_aspect("equal")
     if slope == 0.0:
         axes.set_xlabel(words(axes, axis_label("x")))

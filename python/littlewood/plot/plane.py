@@ -54,6 +54,8 @@ def phase_plane(
 ) -> Axes:
     """Draw the plane of Figures 2(b), 4 and 5: orbits of rolling, region R, the curves f and n.
 
+    With rolling resistance these are left out; the limit of lift-off and the motion are drawn.
+
     Parameters
     ----------
     hoop : Hoop

@@ -347,6 +347,8 @@ export const MODES = {
   sliding: 'slides',
   gliding: 'glides',
   flight: 'flies',
+  rest: 'rests',
+  skidding: 'skids',
 } as const;
 
 /** What the story cites. Only here stand volumes and pages. */

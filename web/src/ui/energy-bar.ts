@@ -7,6 +7,7 @@ import type { Lab } from '../state/lab';
 
 interface Part {
   name: EnergyPart;
+  row: HTMLElement;
   bar: HTMLElement;
   text: HTMLElement;
   value: HTMLElement;
@@ -17,12 +18,13 @@ export class EnergyBar {
   private readonly start = make('span', { class: 'start' });
   private readonly sum = make('output', { id: 'energy-sum' });
   private readonly zero = make('span', { class: 'zero', title: 'zero of the energy' });
-  private readonly parts: Part[] = ENERGY_PARTS.map((name) => ({
-    name,
-    bar: make('span', { class: 'part', 'data-energy': name }),
-    text: make('span', {}, ENERGY_LABELS[name]),
-    value: make('output', { 'data-part': name }),
-  }));
+  private readonly parts: Part[] = ENERGY_PARTS.map((name) => {
+    const text = make('span', {}, ENERGY_LABELS[name]);
+    const value = make('output', { 'data-part': name });
+    const swatch = make('span', { class: 'swatch', 'aria-hidden': 'true' });
+    const row = make('li', { 'data-energy': name }, swatch, text, ' ', value);
+    return { name, row, bar: make('span', { class: 'part', 'data-energy': name }), text, value };
+  });
   /** The energies at the ends of the bar. */
   private scale: [number, number] = [0, 1];
 
@@ -33,24 +35,22 @@ export class EnergyBar {
       this.start,
     );
     byId('energy-legend', HTMLElement).append(
-      ...this.parts.map(({ name, text, value }) =>
-        make(
-          'li',
-          { 'data-energy': name },
-          make('span', { class: 'swatch', 'aria-hidden': 'true' }),
-          text,
-          ' ',
-          value,
-        ),
-      ),
+      ...this.parts.map(({ row }) => row),
       make('li', {}, 'at the start ', this.sum),
     );
   }
 
   showMotion(): void {
-    const { motion, problem } = this.lab;
-    this.holder.hidden = problem.restitution === undefined;
+    const { motion, plain, problem } = this.lab;
+    const bounces = problem.restitution !== undefined;
+    const resists = plain.rolling_resistance > 0;
+    this.holder.hidden = !bounces && !resists;
     if (this.holder.hidden) return;
+    for (const { name, row } of this.parts) {
+      row.hidden =
+        (name === 'lost_in_impacts' && !bounces) ||
+        (name === 'lost_to_rolling_resistance' && !resists);
+    }
     const [low, high] = motion.energyScale;
     this.scale = [low, high > low ? high : low + 1];
     const total = motion.energy ?? 0;

@@ -63,6 +63,7 @@ export class MovesPane {
       `${label}, ${signs[system]} = ${brief(time * units.time)}${system === 'si' ? ` ${unit.si}` : ''}`;
     const { rows, sentence } = motion.moves(transition ?? 0, column);
     byId('moves-sentence', HTMLParagraphElement).textContent = sentence;
+    this.column.hidden = rows.length === 0;
     const known = rows.filter((it) => it.moved !== null);
     const most = Math.abs(known[0]?.moved ?? 0);
     this.rows.replaceChildren(...known.map((it) => this.row(it, most, column)));

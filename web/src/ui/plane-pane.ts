@@ -250,7 +250,11 @@ export class PlanePane {
       make('span', { class: 'swatch region', 'aria-hidden': 'true' }),
       '𝓡, hatched: it can roll here',
     );
-    byId('curves', HTMLUListElement).replaceChildren(...curves, region);
+    const left =
+      this.lab.plain.rolling_resistance > 0
+        ? [make('li', {}, 'χ > 0: no curves of rolling, whose limits differ each way')]
+        : [];
+    byId('curves', HTMLUListElement).replaceChildren(...curves, region, ...left);
   }
 
   private showLegend(): void {

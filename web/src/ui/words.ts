@@ -137,7 +137,11 @@ export class Words {
       said.textContent = text;
       range.setAttribute('aria-valuetext', text);
     }
-    const modes = MODES.filter((it) => it !== 'gliding' || lab.problem.isMassless);
+    const { problem, plain } = lab;
+    const modes = MODES.filter((it) => {
+      if (it === 'gliding') return problem.isMassless;
+      return (it !== 'rest' && it !== 'skidding') || plain.rolling_resistance > 0;
+    });
     byId('words-legend', HTMLUListElement).replaceChildren(
       ...modes.map((mode) =>
         make(

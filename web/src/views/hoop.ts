@@ -625,6 +625,8 @@ const HOLD: Readonly<Record<Mode, string>> = {
   sliding: 'the rim slips',
   gliding: 'no force',
   flight: 'no contact',
+  rest: 'the grip holds',
+  skidding: 'the rim slips',
 };
 
 /** The inset's own view: level, whatever the plane is. */

@@ -93,6 +93,7 @@ export function curvesOf(problem: Problem, rate: number): Curves {
     const place = plane.placeOfLetter(curve);
     if (place) letters.push([CURVE_ROWS[curve].letter ?? '', place[0]!, place[1]!]);
   }
+  const region = plane.region();
   const curves: Curves = {
     lines: {
       slip_limit: named('slip_limit'),
@@ -103,8 +104,8 @@ export function curvesOf(problem: Problem, rate: number): Curves {
       level: levels.map((energy) => plane.level(energy)),
     },
     letters,
-    region: plane.region(),
-    isRegionNamed: plane.canRoll(REGION_NAME[0], REGION_NAME[1] * rate),
+    region,
+    isRegionNamed: region.length > 0 && plane.canRoll(REGION_NAME[0], REGION_NAME[1] * rate),
     equilibria: plane.equilibria(),
     rate,
   };

@@ -268,8 +268,8 @@ impl Trajectory {
         self.transitions
             .iter()
             .filter_map(|transition| transition.impact)
-            .map(|impact| impact.energy_lost())
-            .sum()
+            // The sum of nothing would be −0.
+            .fold(0.0, |sum, impact| sum + impact.energy_lost())
     }
 
     /// The sample at `time`, in O(log n) of the number of phases and steps; none outside the
