@@ -328,8 +328,7 @@ export class Motion {
   /** What moves a number of a transition. */
   moves(transition: number, column: StateColumn): Moves {
     const core = this.core.moves(transition);
-    if (core === undefined)
-      return { rows: [], sentence: 'There are no derivatives with rolling resistance yet.' };
+    if (core === undefined) return { rows: [], sentence: '' };
     const place = STATE_COLUMNS.indexOf(column);
     const moves = { rows: JSON.parse(core.rows(place)) as Move[], sentence: core.sentence(place) };
     core.free();
