@@ -291,13 +291,14 @@ class Classification:
     energy : float
         Energy (2.8), m2 g R.
     rolling_normal, rolling_friction : float
-        N and F that rolling would need (2.12), m2 g.
+        N and F that rolling would need (2.12), or rest where rolling resistance holds the angle,
+        m2 g.
     contact : float
         1 − h cos θ θ′²: negative where the body leaves the plane.
     rolling_type : str or None
-        "I", "II" or "III" for Littlewood's hoop in R (section 3a).
+        "I", "II" or "III" for Littlewood's hoop in R (section 3a). None with rolling resistance.
     rolling_end : littlewood.motion.RollingEnd or None
-        How rolling ends, if it does.
+        How rolling ends, if it does. None with rolling resistance.
     reverse_chatter : float or None
         Ratio of successive bounces, if bounces can grow out of rolling: on a slope, with
         restitution.

@@ -24,6 +24,40 @@ fn figure_3_starts_beyond_the_static_friction() {
     );
 }
 
+/// The hoop of Figure 3 has m = 2 and h = 1/2 (docs/theory/rolling-resistance.md).
+#[test]
+fn with_rolling_resistance_a_start_may_rest_or_skid() {
+    let flags = |flags: &'static str| {
+        let command = "classify figure-3 --theta-rate 0 --rolling-resistance".split(' ');
+        command.chain(flags.split(' ')).collect::<Vec<_>>()
+    };
+    // h sin 3.1 < χ.
+    let document = json(&flags("0.1 --theta 3.1"));
+    assert_eq!(document["region"], "band_of_rest");
+    assert_eq!(document["start"]["mode"], "rest");
+    assert_eq!(document["rolling_normal"], 2.0);
+    assert_eq!(document["rolling_friction"], 0.0);
+    assert_eq!(document["rolling_end"], Value::Null);
+    let page = text(&flags("0.1 --theta 3.1"));
+    assert!(
+        page.contains("Begins   rest") && page.contains("Rest     needs N = 2 m₂g, F = 0"),
+        "{page}"
+    );
+    // |h sin θ − μk (1 + h cos θ)| = 0.006.
+    let page = text(&flags("0.1 --theta 1.2 --slip 0.5"));
+    assert!(page.contains("Begins   skidding →"), "{page}");
+    // χ = h sin θ, but for rounding.
+    let border = flags("0.25 --theta 2.6179938779914944");
+    let document = json(&border);
+    assert_eq!(document["region"], "unresolved");
+    assert_eq!(document["undecided"]["compared"], "held_angle");
+    let page = text(&border);
+    assert!(
+        page.contains("it depends on χ − |M|/N, which is "),
+        "{page}"
+    );
+}
+
 #[test]
 fn littlewoods_hoop_has_a_type_and_an_end_of_rolling() {
     let flags =

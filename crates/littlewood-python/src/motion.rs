@@ -541,6 +541,9 @@ pub(crate) fn classify(
         add_details(&details, recurrence.details())?;
     }
     add_candidates(&details, found.candidates)?;
+    if let Some(undecided) = &found.undecided {
+        add_details(&details, undecided.details())?;
+    }
     dict.set_item("details", details)?;
     Ok(dict)
 }

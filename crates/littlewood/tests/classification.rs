@@ -1,10 +1,14 @@
 //! What `classify` says begins is what the simulation begins with.
 
+use std::f64::consts::PI;
+
 use crate::common::{heavy_motion, massless_hoop, start};
 use littlewood::theory::{RollingType, SlidingLaw, StartRegion, closed_form};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, OutcomeKind, Proof, SlipDirection, Start,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Proof, Sample, SlipDirection,
+    Start,
 };
+use littlewood_random::Draw;
 use proptest::prelude::*;
 
 /// Compares what is said of a start with the first phase of its motion.
@@ -16,21 +20,41 @@ pub(crate) fn check(hoop: &Hoop, start: Start) -> Result<(), TestCaseError> {
     let motion = hoop.simulate(start, limits).expect("a valid start");
     let Some(first) = motion.phases().first() else {
         prop_assert_eq!(said.mode, None);
-        let region = match motion.outcome().kind() {
-            OutcomeKind::Inconsistent => StartRegion::Inconsistent,
-            OutcomeKind::Ambiguous => StartRegion::Ambiguous,
-            other => return Err(TestCaseError::fail(format!("no phase, but {other}"))),
+        let (region, undecided) = match motion.outcome() {
+            Outcome::Inconsistent { .. } => (StartRegion::Inconsistent, None),
+            Outcome::Ambiguous { .. } => (StartRegion::Ambiguous, None),
+            Outcome::Unresolved { undecided, .. } => (StartRegion::Unresolved, Some(undecided)),
+            other => return Err(TestCaseError::fail(format!("no phase, but {other:?}"))),
         };
         prop_assert_eq!(said.region, region);
-        prop_assert!(said.candidates.is_some());
+        prop_assert_eq!(said.candidates, motion.outcome().candidates());
+        if let Some(candidates) = said.candidates {
+            prop_assert_eq!(candidates.rolling_forces, said.rolling_forces);
+        }
+        prop_assert_eq!(said.undecided, undecided);
         return Ok(());
     };
+    prop_assert_eq!(said.undecided, None);
     prop_assert_eq!(said.mode, Some(first.mode()));
     prop_assert!(said.candidates.is_none());
     if said.direction.is_some() || first.mode() != Mode::Gliding {
         prop_assert_eq!(said.direction, first.direction());
     }
+    let rests = first.mode() == Mode::Rest;
+    prop_assert_eq!(said.region == StartRegion::BandOfRest, rests);
+    prop_assert_eq!(motion.outcome().kind() == OutcomeKind::Rests, rests);
+    let is_resisted = hoop.rolling_resistance() > 0.0;
+    if is_resisted && matches!(first.mode(), Mode::Rolling | Mode::Rest) {
+        let Sample {
+            normal, friction, ..
+        } = first.first();
+        let forces = said.rolling_forces;
+        prop_assert_eq!((forces.normal, forces.friction), (normal, friction));
+    }
     if first.mode() == Mode::Rolling {
+        prop_assert_eq!(said.region, StartRegion::Rolling);
+    }
+    if first.mode() == Mode::Rolling && !is_resisted {
         match said.rolling_end {
             Some(end) => {
                 let last = first.end().expect("an end");
@@ -140,8 +164,14 @@ proptest! {
     }
 
     #[test]
-    fn a_massless_hoop_begins_as_it_is_classified(hoop in massless_hoop(), start in start()) {
+    fn a_massless_hoop_begins_as_it_is_classified(
+        hoop in massless_hoop(), start in start(), resistance in 1e-6..1.5_f64,
+    ) {
         check(&hoop, start)?;
+        let parameters = hoop.parameters().with_rolling_resistance(resistance);
+        let resisted = Hoop::new(parameters).expect("a valid hoop");
+        check(&resisted, start)?;
+        check(&resisted, Start::at(start.theta, 0.0).with_slip(start.slip))?;
     }
 
     /// A massless rim with the particle on it: F/N = tan θ/2 (3.9), and N has the sign of 1 − θ′².
@@ -159,6 +189,74 @@ proptest! {
     #[test]
     fn a_thrown_hoop_flies((hoop, start) in heavy_motion(), gap_rate in 1e-9..2.0_f64) {
         check(&hoop, start.with_gap_rate(gap_rate))?;
+    }
+}
+
+/// Starts of all regions, on their borders, too.
+#[test]
+fn a_hoop_with_rolling_resistance_begins_as_it_is_classified() {
+    let mut found = [0; StartRegion::ALL.len()];
+    for case in 0..10_000 {
+        let (hoop, start) = Draw::of_case(61, 0, case).resisted_in_contact();
+        if hoop.rolling_resistance() > 0.0 {
+            check(&hoop, start)
+                .unwrap_or_else(|error| panic!("{error}: {case}, {hoop:?} {start:?}"));
+            let said = hoop.classify(start).expect("a valid start");
+            found[usize::from(said.region.code())] += 1;
+        }
+    }
+    assert!(found.iter().all(|count| *count > 0), "{found:?}");
+}
+
+/// At rest on a level plane: |h sin θ| ≤ χ, whatever the friction; else the hoop rolls or slips. On a
+/// slope friction has to hold, too: |tan α| ≤ μs.
+#[test]
+fn the_band_of_rest_is_where_couple_and_friction_hold() {
+    let parameters = HoopParameters::thin(1.0)
+        .with_friction(0.2, 0.1)
+        .with_rolling_resistance(0.1);
+    let region = |parameters: HoopParameters, theta: f64, rate: f64| {
+        let hoop = Hoop::new(parameters).expect("a valid hoop");
+        hoop.classify(Start::at(theta, rate))
+            .expect("a valid start")
+            .region
+    };
+    // h = 1/2: sin θ = χ/h at 0.20135…
+    let edge = libm::asin(0.2);
+    for theta in [0.0, 0.99 * edge, PI - 0.99 * edge, PI, PI + 0.99 * edge] {
+        assert_eq!(
+            region(parameters, theta, 0.0),
+            StartRegion::BandOfRest,
+            "{theta}"
+        );
+        assert_eq!(
+            region(parameters, theta, 1e-9),
+            StartRegion::Rolling,
+            "{theta}"
+        );
+    }
+    for theta in [1.01 * edge, PI - 1.01 * edge] {
+        assert_eq!(
+            region(parameters, theta, 0.0),
+            StartRegion::Rolling,
+            "{theta}"
+        );
+    }
+    // h sin θ = −d tan α: the weight is above the contact.
+    let balanced = |slope: f64| {
+        let pull = libm::tan(slope);
+        PI + libm::asin(2.0 * pull / (1.0 + pull * pull).sqrt()) - libm::atan(pull)
+    };
+    for (slope, expected) in [
+        (0.9 * libm::atan(0.2), StartRegion::BandOfRest),
+        (1.1 * libm::atan(0.2), StartRegion::BeyondFriction),
+    ] {
+        let theta = balanced(slope);
+        assert_eq!(
+            region(parameters.with_slope(slope), theta, 0.0),
+            expected,
+            "{slope}"
+        );
     }
 }
 

@@ -9,7 +9,7 @@ use littlewood::{Hoop, Outcome, Trajectory};
 use littlewood_report::number::brief;
 use littlewood_report::page::{self, Look};
 use littlewood_report::scale::Scale;
-use littlewood_report::sentence::{consistent, contact_margin, examined, returns};
+use littlewood_report::sentence::{consistent, contact_margin, examined, returns, unresolved};
 use littlewood_report::sheet::Sheet;
 use littlewood_report::{Subject, jam_of};
 
@@ -76,9 +76,9 @@ pub(crate) fn classification(problem: &Problem, found: &Classification) -> Sheet
         _ => region(&problem.hoop, found.region),
     };
     sheet.fact("Region", vec![region]);
-    let begins = match (found.mode, &found.candidates) {
-        (Some(mode), _) => vec![mode.with_arrow(found.direction)],
-        (None, Some(candidates)) => {
+    let begins = match (found.mode, &found.candidates, &found.undecided) {
+        (Some(mode), _, _) => vec![mode.with_arrow(found.direction)],
+        (None, Some(candidates), _) => {
             let first = if candidates.count() == 0 {
                 "nothing that is consistent".to_owned()
             } else {
@@ -91,10 +91,17 @@ pub(crate) fn classification(problem: &Problem, found: &Classification) -> Sheet
             );
             lines
         }
-        (None, None) => vec!["nothing that is known".to_owned()],
+        (None, None, Some(undecided)) => vec![unresolved(undecided, scale)],
+        (None, None, None) => vec!["nothing that is known".to_owned()],
     };
     sheet.fact("Begins", begins);
-    sheet.fact("Rolling", rolling(&problem.hoop, found, scale));
+    // At rest these are the forces that hold the hoop.
+    let label = if found.region == StartRegion::BandOfRest {
+        "Rest"
+    } else {
+        "Rolling"
+    };
+    sheet.fact(label, rolling(&problem.hoop, found, scale));
     let margin = contact_margin(&problem.hoop);
     sheet.fact(
         "Contact",
@@ -142,6 +149,10 @@ fn region(hoop: &Hoop, region: StartRegion) -> String {
         }
         StartRegion::Inconsistent => "no motion is consistent (Painlevé)",
         StartRegion::Ambiguous => "several motions are consistent (Painlevé)",
+        StartRegion::BandOfRest => {
+            "in the band of rest: rolling resistance holds the angle, and static friction the rim"
+        }
+        StartRegion::Unresolved => "on a border: rounding decides which motion begins",
     };
     words.to_owned()
 }

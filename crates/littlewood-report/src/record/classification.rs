@@ -25,6 +25,8 @@ pub(crate) struct ClassificationRecord {
     reverse_chatter: Option<f64>,
     #[serde(rename = "findings")]
     candidates: Option<CandidatesRecord>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    undecided: Option<Fields>,
 }
 
 fn rolling_end(end: RollingEnd) -> Fields {
@@ -53,6 +55,9 @@ impl From<&Classification> for ClassificationRecord {
                 .map(|recurrence| Fields::of_details(recurrence.details())),
             reverse_chatter: found.reverse_chatter,
             candidates: found.candidates.map(CandidatesRecord::from),
+            undecided: found
+                .undecided
+                .map(|undecided| Fields::of_details(undecided.details())),
         }
     }
 }

@@ -264,7 +264,8 @@ fn stopped_slide(limit: &SlideLimit, scale: Scale<'_>) -> String {
     }
 }
 
-fn unresolved(undecided: &Undecided, scale: Scale<'_>) -> String {
+/// Why a motion is unresolved.
+pub fn unresolved(undecided: &Undecided, scale: Scale<'_>) -> String {
     let (_, name) = undecided.names();
     let [value, bound] = undecided
         .compared()

@@ -32,15 +32,6 @@ pub struct ContactForces<T = f64> {
     pub friction: T,
 }
 
-impl<T> ContactForces<T> {
-    pub(crate) fn map<U>(self, of: impl Fn(T) -> U) -> ContactForces<U> {
-        ContactForces {
-            normal: of(self.normal),
-            friction: of(self.friction),
-        }
-    }
-}
-
 impl ContactForces {
     /// No contact.
     pub(crate) const NONE: Self = Self {

@@ -73,12 +73,8 @@ impl PhasePlane {
 
     /// Normal and friction force of rolling (2.12), or of rest where rolling resistance holds it.
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
-        let rate = theta_rate / self.pace;
-        let ContactForces { normal, friction } = if self.is_even() {
-            self.law.forces(theta, rate)
-        } else {
-            self.resisted_forces(theta.angle(), rate)
-        };
+        let ContactForces { normal, friction } =
+            self.forces_at_unit_gravity(theta, theta_rate / self.pace);
         let weight = self.pace * self.pace;
         ContactForces {
             normal: weight * normal,
@@ -86,8 +82,17 @@ impl PhasePlane {
         }
     }
 
-    /// N and F with rolling resistance, in the units of the law. At θ′ = 0 the hoop begins to turn as
-    /// its weight pulls, or rests.
+    /// The same in units in which gravity normal to the plane is 1.
+    pub(crate) fn forces_at_unit_gravity(&self, theta: f64, rate: f64) -> ContactForces {
+        if self.is_even() {
+            self.law.forces(theta, rate)
+        } else {
+            self.resisted_forces(Angle::of(theta), rate)
+        }
+    }
+
+    /// The same with rolling resistance. At θ′ = 0 the hoop begins to turn as its weight pulls, or
+    /// rests.
     fn resisted_forces(&self, angle: Angle, rate: f64) -> ContactForces {
         let body = self.hoop.rigid_body();
         let coefficient = self.hoop.rolling_resistance();

@@ -1,8 +1,10 @@
 //! The region of a start in the phase plane of the paper, and the motion that begins there.
 
 use crate::mechanics::region::PhasePlane;
-use crate::mechanics::{ContactForces, RollingLaw, RollingType, contact, energy, rolling_energy};
-use crate::model::{Body, Hoop, Limits, Mode, ParameterError, SlipDirection, Start, State, named};
+use crate::mechanics::{ContactForces, RollingType, contact, energy, rolling_energy};
+use crate::model::{
+    Body, Hoop, Limits, Mode, ParameterError, SlipDirection, Start, State, Undecided, named,
+};
 use crate::modes::{Recurrence, RollingEnd, RollingLimit, RollingOrbit};
 use crate::walk::{Arrival, Candidates, NextMotion, Origin, RelativeStart, ResistedMotion};
 
@@ -26,6 +28,10 @@ named! {
         Inconsistent = 6, "inconsistent";
         /// Several motions are consistent.
         Ambiguous = 7, "ambiguous";
+        /// At complete rest, and rolling resistance and static friction hold the hoop.
+        BandOfRest = 8, "band_of_rest";
+        /// Rounding decides between motions.
+        Unresolved = 9, "unresolved";
     }
 }
 
@@ -43,24 +49,74 @@ pub struct Classification {
     pub direction: Option<SlipDirection>,
     /// Energy E (2.8).
     pub energy: f64,
-    /// N and F that rolling would need (2.12).
+    /// N and F that rolling would need (2.12), or rest where rolling resistance holds the angle.
     pub rolling_forces: ContactForces,
     /// 1 − h cos θ θ′²/cos α.
     pub contact: f64,
-    /// The end of rolling for a start in 𝓡; none if it rolls for ever.
+    /// The end of rolling for a start in 𝓡; none if it rolls for ever, and with rolling resistance,
+    /// where the hoop may turn back before.
     pub rolling_end: Option<RollingEnd>,
-    /// The recurrence for a start in 𝓡 that rolls for ever.
+    /// The recurrence for a start in 𝓡 that rolls for ever; none with rolling resistance.
     pub recurrence: Option<Recurrence>,
-    /// For Littlewood's hoop in 𝓡: Type I, II or III; none on the stable manifold.
+    /// For Littlewood's hoop in 𝓡: Type I, II or III; none on the stable manifold, and with rolling
+    /// resistance, where the energy does not tell the type.
     pub rolling_type: Option<RollingType>,
-    /// For a start in 𝓡 from which bounces can grow out of rolling, which is then not the only
-    /// motion: the ratio of successive bounces ([`PhasePlane::reverse_chatter`]).
+    /// For a start that rolls or rests, and from which bounces can grow, so that this is not the
+    /// only motion: the ratio of successive bounces ([`PhasePlane::reverse_chatter`]).
     pub reverse_chatter: Option<f64>,
     /// The candidates, if no motion or more than one is consistent.
     pub candidates: Option<Candidates>,
+    /// What rounding does not decide, if the motion is unresolved.
+    pub undecided: Option<Undecided>,
 }
 
 impl Classification {
+    /// Adds the motion that begins in contact.
+    fn add_motion(&mut self, hoop: &Hoop, state: &State, origin: &Origin) {
+        let next = NextMotion::at(hoop, state, Arrival::Start);
+        (self.mode, self.direction) = (next.mode(), next.direction());
+        self.region = match next {
+            NextMotion::Roll { on_limit } => {
+                self.add_rolling(hoop, state, origin, on_limit);
+                StartRegion::Rolling
+            }
+            NextMotion::Slide { .. } => self.region_of_slip(state),
+            NextMotion::Resisted { motion, .. } => match motion {
+                ResistedMotion::Rest => StartRegion::BandOfRest,
+                ResistedMotion::Roll(_) => StartRegion::Rolling,
+                ResistedMotion::Skid(_) | ResistedMotion::Slide { .. } => {
+                    self.region_of_slip(state)
+                }
+            },
+            NextMotion::Glide { .. } => {
+                self.direction = SlipDirection::of_sign(state.slip);
+                StartRegion::Gliding
+            }
+            NextMotion::Fly { .. } | NextMotion::Settle { .. } => StartRegion::LossOfContact,
+            NextMotion::Undecided(undecided) => {
+                self.undecided = Some(origin.undecided(undecided));
+                StartRegion::Unresolved
+            }
+            NextMotion::None(candidates) => {
+                self.candidates = Some(origin.candidates(*candidates));
+                StartRegion::Inconsistent
+            }
+            NextMotion::Several(candidates) => {
+                self.candidates = Some(origin.candidates(*candidates));
+                StartRegion::Ambiguous
+            }
+        };
+    }
+
+    /// The region of a start that slips, or begins to.
+    fn region_of_slip(&self, state: &State) -> StartRegion {
+        match (state.slip == 0.0, self.rolling_forces.normal > 0.0) {
+            (false, _) => StartRegion::Slipping,
+            (true, true) => StartRegion::BeyondFriction,
+            (true, false) => StartRegion::SlidingBand,
+        }
+    }
+
     /// Adds how rolling from a state ends, or what recurs if it does not.
     fn add_rolling(&mut self, hoop: &Hoop, state: &State, origin: &Origin, on_limit: bool) {
         let (theta, theta_rate) = (state.theta, state.theta_rate);
@@ -102,73 +158,32 @@ impl Hoop {
     /// # Errors
     /// A start that is not finite.
     pub fn classify(&self, start: Start) -> Result<Classification, ParameterError> {
-        self.check_built()?;
         self.check(start)?;
         let (origin, RelativeStart { state, gap_rate }, _) =
             Origin::of(self, &start, Limits::default());
         let (theta, theta_rate) = (state.theta, state.theta_rate);
-        let forces = RollingLaw::of(self).forces(theta, theta_rate);
-        let contact = contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate));
+        let plane = PhasePlane::new(self);
         let mut found = Classification {
-            region: StartRegion::Slipping,
-            mode: None,
+            region: StartRegion::LossOfContact,
+            mode: Some(Mode::Flight),
             direction: None,
             energy: origin.energy(energy(self, &state, 0.0, gap_rate)),
-            rolling_forces: origin.forces(forces),
-            contact,
+            rolling_forces: origin.forces(plane.forces_at_unit_gravity(theta, theta_rate)),
+            contact: contact(1.0, self.h(), libm::cos(theta) * (theta_rate * theta_rate)),
             rolling_end: None,
             recurrence: None,
             rolling_type: None,
             reverse_chatter: None,
             candidates: None,
+            undecided: None,
         };
         if start.gap_rate > 0.0 {
-            (found.region, found.mode) = (StartRegion::LossOfContact, Some(Mode::Flight));
             return Ok(found);
         }
-        (found.region, found.mode, found.direction) =
-            match NextMotion::at(self, &state, Arrival::Start) {
-                NextMotion::Roll { on_limit } => {
-                    found.add_rolling(self, &state, &origin, on_limit);
-                    found.reverse_chatter =
-                        PhasePlane::new(self).reverse_chatter(start.theta, start.theta_rate);
-                    (StartRegion::Rolling, Some(Mode::Rolling), None)
-                }
-                NextMotion::Slide { direction, .. } => {
-                    let region = match (state.slip == 0.0, forces.normal > 0.0) {
-                        (false, _) => StartRegion::Slipping,
-                        (true, true) => StartRegion::BeyondFriction,
-                        (true, false) => StartRegion::SlidingBand,
-                    };
-                    (region, Some(Mode::Sliding), Some(direction))
-                }
-                NextMotion::Glide { .. } => (
-                    StartRegion::Gliding,
-                    Some(Mode::Gliding),
-                    SlipDirection::of_sign(state.slip),
-                ),
-                NextMotion::Fly { .. } | NextMotion::Settle { .. } => {
-                    (StartRegion::LossOfContact, Some(Mode::Flight), None)
-                }
-                NextMotion::Resisted { motion, .. } => {
-                    let region = match motion {
-                        ResistedMotion::Rest | ResistedMotion::Roll(_) => StartRegion::Rolling,
-                        ResistedMotion::Skid(_) | ResistedMotion::Slide { .. } => {
-                            StartRegion::Slipping
-                        }
-                    };
-                    (region, Some(motion.mode()), motion.direction())
-                }
-                NextMotion::Undecided(_) => (StartRegion::Ambiguous, None, None),
-                NextMotion::None(candidates) => {
-                    found.candidates = Some(origin.candidates(*candidates));
-                    (StartRegion::Inconsistent, None, None)
-                }
-                NextMotion::Several(candidates) => {
-                    found.candidates = Some(origin.candidates(*candidates));
-                    (StartRegion::Ambiguous, None, None)
-                }
-            };
+        found.add_motion(self, &state, &origin);
+        if matches!(found.mode, Some(Mode::Rolling | Mode::Rest)) {
+            found.reverse_chatter = plane.reverse_chatter(start.theta, start.theta_rate);
+        }
         Ok(found)
     }
 

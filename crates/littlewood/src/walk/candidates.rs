@@ -6,6 +6,7 @@
 //! rolling is not. The motion continues if there is exactly one candidate; a start with none or
 //! several is an outcome. A motion that arrives in contact stays in contact while it can.
 
+use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{
     ContactForces, RollingLaw, Settling, SlidingLaw, contact, contact_rounding, leaves_plane,
     slip_acceleration_at_rest,
@@ -686,6 +687,6 @@ pub(crate) fn glide(
         };
         return NextMotion::Glide { body: *body, entry };
     }
-    let forces = RollingLaw::of(hoop).forces(state.theta, state.theta_rate);
+    let forces = PhasePlane::new(hoop).forces_at_unit_gravity(state.theta, state.theta_rate);
     NextMotion::None(Box::new(Candidates::none(forces, contact_margin, [0.0; 2])))
 }

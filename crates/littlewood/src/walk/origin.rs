@@ -11,7 +11,7 @@
 
 use crate::math::trig::{WholeTurns, neutral_zero, split_turns};
 use crate::mechanics::{ContactForces, ContactVelocities, Impact, Impulse};
-use crate::model::{Dimension, Hoop, Limits, Start, State};
+use crate::model::{Dimension, Hoop, Limits, Start, State, Undecided};
 use crate::modes::{Position, Recurrence, RollingEnd, Sample, SlideLimit};
 use crate::walk::{Candidates, Outcome};
 
@@ -186,6 +186,14 @@ impl Origin {
         }
     }
 
+    pub(crate) fn undecided(&self, undecided: Undecided) -> Undecided {
+        undecided.map(|value| match undecided.dimension() {
+            Dimension::Time => self.duration(value),
+            Dimension::AngularRate | Dimension::Velocity => self.velocity(value),
+            _ => value,
+        })
+    }
+
     pub(crate) const fn rolling_end(&self, end: RollingEnd) -> RollingEnd {
         RollingEnd {
             elapsed: self.duration(end.elapsed),
@@ -239,11 +247,7 @@ impl Origin {
                 *recurrence = self.recurrence(*recurrence);
             }
             Outcome::Unresolved { undecided, .. } => {
-                *undecided = undecided.map(|value| match undecided.dimension() {
-                    Dimension::Time => self.duration(value),
-                    Dimension::AngularRate | Dimension::Velocity => self.velocity(value),
-                    _ => value,
-                });
+                *undecided = self.undecided(*undecided);
             }
             Outcome::RepeatsForever { period, .. } => *period = self.duration(*period),
             Outcome::Inconsistent { candidates, .. } | Outcome::Ambiguous { candidates, .. } => {

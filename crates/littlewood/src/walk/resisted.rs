@@ -10,6 +10,7 @@ use crate::math::bounded::Bounded;
 use crate::math::number::Number;
 use crate::math::series::Series;
 use crate::math::trig::Angle;
+use crate::mechanics::region::PhasePlane;
 use crate::mechanics::{HeldLaw, ResistedRollingLaw, SlidingLaw, slip_acceleration_at_rest};
 use crate::model::{
     Body, Composition, Heavy, Hoop, Margin, Massless, Mode, RotationDirection, SlipDirection,
@@ -115,7 +116,12 @@ impl Verdict {
             None => Self::Undecided(Undecided::Rounding {
                 margin,
                 value: number.value,
-                bound: number.bound,
+                // Divided by what may be zero, a number has no bound.
+                bound: if number.bound.is_nan() {
+                    f64::INFINITY
+                } else {
+                    number.bound
+                },
             }),
         }
     }
@@ -509,12 +515,11 @@ impl<'a> Trial<'a> {
                 .iter()
                 .any(|one| (one.motion.mode(), one.motion.direction()) == (mode, direction))
         };
-        // What rolling and slides would need in the direction of rotation.
+        // What slides would need in the direction of rotation.
         let rotation = RotationDirection::of_sign(self.state.theta_rate);
         let resistance = rotation.map_or(Bounded::constant(0.0), |it| self.resistance(it));
-        let rate = self.place.rate;
-        let forces =
-            ResistedRollingLaw::of_body(&self.body, resistance).forces(self.angle, rate * rate);
+        let forces = PhasePlane::new(self.hoop)
+            .forces_at_unit_gravity(self.state.theta, self.state.theta_rate);
         let [_, mu_k] = self.friction();
         let solvability = SlipDirection::ALL.map(|direction| {
             let law = SlidingLaw {
@@ -533,11 +538,7 @@ impl<'a> Trial<'a> {
             sliding_negative: has(Mode::Sliding, negative),
             sliding_positive: has(Mode::Sliding, positive),
             flight: self.contact.lifts_off,
-            ..Candidates::none(
-                forces.map(|force| force.value),
-                self.contact.value,
-                solvability,
-            )
+            ..Candidates::none(forces, self.contact.value, solvability)
         }
     }
 }
