@@ -369,10 +369,7 @@ fn a_slice_of_starts_can_be_computed() {
 }
 
 fn any_grid() -> impl Strategy<Value = (Grid, usize)> {
-    // Rolling resistance is not built yet.
-    let mut quantities = Quantity::AXES.to_vec();
-    quantities.retain(|quantity| *quantity != Quantity::RollingResistance);
-    let counts = prop::sample::subsequence(quantities, 1..=4)
+    let counts = prop::sample::subsequence(Quantity::AXES.to_vec(), 1..=4)
         .prop_shuffle()
         .prop_flat_map(|quantities| {
             let len = quantities.len();

@@ -53,9 +53,6 @@ pub enum ParameterError {
         Number(*gap_rate)
     )]
     MasslessFlight { gap_rate: f64 },
-    /// Rolling resistance, where it is not built yet.
-    #[error("rolling_resistance = {}: this is not built yet with rolling resistance", Number(*rolling_resistance))]
-    NotBuilt { rolling_resistance: f64 },
 }
 
 impl ParameterError {
@@ -66,7 +63,6 @@ impl ParameterError {
             Self::MasslessImpact { .. } | Self::MasslessFlight { .. } => {
                 "leave it out, or give the hoop a mass or a moment of inertia"
             }
-            Self::NotBuilt { .. } => "leave it out, or set it to 0",
             Self::NoMotion { .. } => {
                 "give the disc a moment of inertia, or move the particle off the centre"
             }
@@ -93,7 +89,6 @@ impl ParameterError {
             Self::NearlyMassless { .. } => Quantity::Inertia,
             Self::LawAlone { .. } | Self::MasslessImpact { .. } => Quantity::Restitution,
             Self::MasslessFlight { .. } => Quantity::GapRate,
-            Self::NotBuilt { .. } => Quantity::RollingResistance,
         }
     }
 

@@ -278,19 +278,6 @@ impl Hoop {
         )
     }
 
-    /// Refuses what is not built yet with rolling resistance.
-    ///
-    /// # Errors
-    /// [`ParameterError::NotBuilt`].
-    pub fn check_built(&self) -> Result<(), ParameterError> {
-        let rolling_resistance = self.rolling_resistance();
-        if rolling_resistance == 0.0 {
-            Ok(())
-        } else {
-            Err(ParameterError::NotBuilt { rolling_resistance })
-        }
-    }
-
     /// The parameters of the equations of rolling, which hold without inertia, too.
     pub(crate) const fn rigid_body(&self) -> Heavy {
         match self.body {
