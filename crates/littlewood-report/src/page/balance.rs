@@ -76,13 +76,14 @@ fn rounding(trajectory: &Trajectory) -> f64 {
     4.0 * f64::EPSILON * (2 * phases.len()) as f64 * size
 }
 
-/// The energy lost, and to what.
-pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String> {
+/// The energy lost, and to what, by parts.
+pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Vec<String> {
     let hoop = trajectory.hoop();
     let lost = trajectory.energy_lost();
     let show = |energy| scale.show_with_unit(Dimension::Energy, energy);
     if hoop.restitution().is_none() && hoop.rolling_resistance() == 0.0 {
-        return (lost != 0.0).then(|| format!("{} lost to friction", show(lost)));
+        let to_friction = (lost != 0.0).then(|| format!("{} lost to friction", show(lost)));
+        return Vec::from_iter(to_friction);
     }
     let in_impacts = trajectory.impact_energy_lost();
     let to_resistance = trajectory.rolling_resistance_energy_lost();
@@ -98,7 +99,7 @@ pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String
     } else {
         "in impacts"
     };
-    let parts: Vec<String> = [
+    let mut parts: Vec<String> = [
         (to_resistance, "to rolling resistance"),
         (in_sliding, "in sliding"),
         (in_impacts, law),
@@ -106,9 +107,11 @@ pub(super) fn energy(trajectory: &Trajectory, scale: Scale<'_>) -> Option<String
     .into_iter()
     .filter_map(|(energy, place)| part(energy, place))
     .collect();
-    Some(if parts.is_empty() {
-        "none lost".to_owned()
-    } else {
-        parts.join(", ")
-    })
+    let Some((_, all_but_last)) = parts.split_last_mut() else {
+        return vec!["none lost".to_owned()];
+    };
+    for part in all_but_last {
+        part.push(',');
+    }
+    parts
 }

@@ -78,7 +78,8 @@ pub fn motion(sheet: &mut Sheet, subject: &Subject<'_>, trajectory: &Trajectory,
         "Landings",
         Vec::from_iter(balance::landings(trajectory, scale)),
     );
-    sheet.fact("Energy", Vec::from_iter(balance::energy(trajectory, scale)));
+    let energy = balance::energy(trajectory, scale);
+    sheet.fact("Energy", filled(energy.into_iter(), " ", LINE));
     if let Some(digits) = subject.digits {
         sheet.fact("Digits", digits::trusted(trajectory, digits, scale));
     }
