@@ -57,10 +57,10 @@ fn remove(value: &mut Value, key: &str) {
 #[test]
 fn the_format_is_that_of_the_columns() {
     let columns = SummaryColumn::ALL.map(SummaryColumn::name).join(" ");
-    let of_version_5 = "outcome sequence transitions painleve end_time end_theta end_theta_rate \
+    let of_version_6 = "outcome sequence transitions painleve end_time end_theta end_theta_rate \
         end_slip end_x energy first_slip_time lift_off_time jump_length jump_height landings \
-        impact_energy_lost settle_time";
-    assert_eq!((STORE_FORMAT, columns.as_str()), (5, of_version_5));
+        impact_energy_lost settle_time half_swings";
+    assert_eq!((STORE_FORMAT, columns.as_str()), (6, of_version_6));
 }
 
 #[test]
