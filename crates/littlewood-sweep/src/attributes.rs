@@ -64,18 +64,19 @@ fn of_summary(column: SummaryColumn) -> Attributes {
         }
         ColumnType::Flag => flags(&[0, 1], &["no", "yes"]),
         ColumnType::Sequence => {
-            let legend = PhaseCode::ALL.into_iter().map(|phase| {
-                (
-                    phase.code().to_string(),
-                    format!("{phase}: {}", phase.meaning()).into(),
-                )
+            // In the order of the codes: a map of JSON would sort them as texts, 10 before 2.
+            let end = (0, "end of the sequence".to_owned());
+            let legend =
+                PhaseCode::ALL.map(|phase| (phase.code(), format!("{phase}: {}", phase.meaning())));
+            let entries = [end].into_iter().chain(legend).map(|(code, meaning)| {
+                let meaning = Value::from(meaning);
+                format!("\"{code}\":{meaning}")
             });
-            let end = [("0".to_owned(), "end of the sequence".into())];
-            let legend: Attributes = end.into_iter().chain(legend).collect();
+            let legend = Vec::from_iter(entries).join(",");
             attributes_of([
                 ("encoding", PhaseSequence::ENCODING.into()),
                 ("version", PhaseSequence::VERSION.into()),
-                ("legend", Value::Object(legend).to_string().into()),
+                ("legend", format!("{{{legend}}}").into()),
             ])
         }
         ColumnType::Count | ColumnType::Real => units(column.dimension()),
