@@ -280,7 +280,8 @@ test('every quantity of the tables has a field with its unit, and every curve it
   }
 });
 
-test('the page is fetched in at most 550 kB', () => {
+// Of them 40 kB are what rolling resistance has added.
+test('the page is fetched in at most 570 kB', () => {
   const root = new URL('../dist/', import.meta.url);
   // The story has a budget of its own; its words are in a part that it shares with the sheet.
   const files = readdirSync(root, { recursive: true, withFileTypes: true }).filter(
@@ -289,7 +290,7 @@ test('the page is fetched in at most 550 kB', () => {
   const sizes = files.map(
     (it) => gzipSync(readFileSync(`${it.parentPath}/${it.name}`), { level: 9 }).length,
   );
-  expect(sizes.reduce((sum, it) => sum + it, 0)).toBeLessThanOrEqual(550_000);
+  expect(sizes.reduce((sum, it) => sum + it, 0)).toBeLessThanOrEqual(570_000);
 });
 
 test('colours are written in the generated files, and those of the page alone in its theme', () => {
