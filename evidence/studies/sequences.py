@@ -289,7 +289,8 @@ def picture() -> Figure:
     grid = family()
     kinds = sorted({one.kind for one in grid.found} - {"not told"})
     colours = [*ACCENTS.values(), INK, SOFT, FAINT]
-    looks = dict(zip(kinds, zip(colours, (*LIST_DASHES, "solid"), strict=True), strict=True))
+    dashes = (*LIST_DASHES[: len(colours) - 1], "solid")
+    looks = dict(zip(kinds, zip(colours, dashes, strict=True), strict=True))
     figure, axes = panels(len(SHOWN), columns=3, height=230.0, sharex=True, sharey=True)
     for panel, gamma in zip(axes, SHOWN, strict=True):
         panel.set_title(f"*γ* = {gamma:g}")

@@ -145,6 +145,7 @@ def body_of(hoop: dict[str, Number]) -> Body:
     body.h = offset / body.mass
     body.inertia = hoop["inertia"] + mass_ratio * offset * offset / body.mass
     body.mu_s, body.mu_k = hoop["mu_s"], hoop["mu_k"]
+    body.chi = Number(0)  # No certificate with rolling resistance has derivatives.
     body.down, body.back = hoop["slope"].cos(), hoop["slope"].sin()
     body.constant = body.inertia + body.mass * (body.h * body.h + 1)
     return body
