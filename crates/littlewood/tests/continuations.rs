@@ -1,4 +1,4 @@
-//! A motion that is started again from one of its own states goes on as it did.
+//! A motion that is stopped and started again from one of its own states must continue unchanged.
 
 use std::f64::consts::TAU;
 

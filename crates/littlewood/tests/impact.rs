@@ -244,9 +244,9 @@ struct Velocities {
     spin: f64,
 }
 
-/// Newton's and Euler's equations in the impulse, in small steps: friction opposes the slip that
-/// there is, and the couple the rotation. Where there is none, each is what keeps it so, within its
-/// limit.
+/// Newton's and Euler's equations in the impulse, in small steps. Friction opposes the slip and the
+/// couple opposes the rotation. Where slip or rotation is zero, friction or couple takes the value
+/// that keeps it zero, up to its limit.
 struct Stepper {
     mass: f64,
     inertia: f64,

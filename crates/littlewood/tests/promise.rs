@@ -98,8 +98,8 @@ fn is_close(a: f64, b: f64, most: f64) -> bool {
     (a.is_nan() && b.is_nan()) || a == b || (a - b).abs() <= most
 }
 
-/// All codes and counts are the same, and every real number within `tolerance`, absolutely or
-/// relative to itself, and `more` of its own.
+/// Checks that codes and counts are equal, and that every real number differs by at most `tolerance`,
+/// absolutely or relatively, plus what `more` allows for that number.
 fn check_with(
     ours: &Summary,
     theirs: &Summary,

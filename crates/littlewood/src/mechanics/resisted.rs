@@ -58,8 +58,8 @@ impl<T: Number> ResistedRollingLaw<T> {
         self.driving_moment(1.0, cos, sin * (u + 1.0), cos * u) / self.denominator_of(angle)
     }
 
-    /// N and F. F is that without resistance and a term of its own, so that it keeps the digits of
-    /// a heavy hoop.
+    /// N and F. F is computed as the friction without resistance plus what resistance changes: with
+    /// one fraction a heavy hoop would lose digits.
     pub(crate) fn forces(&self, angle: Angle<T>, u: T) -> ContactForces<T> {
         let Angle { sin, cos } = angle;
         let RollingLaw {

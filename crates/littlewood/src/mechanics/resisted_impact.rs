@@ -448,13 +448,10 @@ impl<T: Number> ResistedContact<T> {
         before: ContactVelocities<T>,
         restitution: Restitution<T>,
     ) -> Option<Undecided> {
-        let mut tie = None;
-        let (before, restitution) = bounded(&before, &restitution);
-        self.bounded()
-            .watched(before, restitution, &mut |margin, number| {
-                tie = tie.or_else(|| tied(margin, number));
-            });
-        tie
+        first_tie(|mut watch| {
+            let (before, restitution) = bounded(&before, &restitution);
+            self.bounded().watched(before, restitution, &mut watch);
+        })
     }
 
     /// The same of a jam.
@@ -463,13 +460,10 @@ impl<T: Number> ResistedContact<T> {
         before: ContactVelocities<T>,
         restitution: Restitution<T>,
     ) -> Option<Undecided> {
-        let mut tie = None;
-        let (before, restitution) = bounded(&before, &restitution);
-        self.bounded()
-            .jam(before, restitution, &mut |margin, number| {
-                tie = tie.or_else(|| tied(margin, number));
-            });
-        tie
+        first_tie(|mut watch| {
+            let (before, restitution) = bounded(&before, &restitution);
+            self.bounded().jam(before, restitution, &mut watch);
+        })
     }
 
     /// The impact from its first segment on, in units in which no square of a velocity that counts
@@ -542,6 +536,13 @@ fn bounded<T: Number>(
     )
 }
 
+/// The first number of an impact that rounding decides.
+fn first_tie(follow: impl FnOnce(&mut dyn FnMut(Margin, Bounded))) -> Option<Undecided> {
+    let mut tie = None;
+    follow(&mut |margin, number| tie = tie.or_else(|| tied(margin, number)));
+    tie
+}
+
 /// A number whose sign is rounding.
 fn tied(margin: Margin, number: Bounded) -> Option<Undecided> {
     let Bounded { value, bound } = number;
@@ -601,7 +602,7 @@ struct Course<'a, T> {
     is_first: bool,
     turns_on: bool,
     opens: bool,
-    /// What is left of the segment.
+    /// The impulses that are left until slip or rotation of this segment ends.
     ends: Ends<T>,
     /// While the gap closes and while it opens.
     compression: Share<T>,

@@ -55,8 +55,8 @@ impl From<&State> for Point<f64> {
     }
 }
 
-/// A mode with its directions, or with the start of a flight. Without rolling resistance the
-/// direction of rotation may change, and is none.
+/// A mode with its directions, or with the start of a flight. The direction of rotation is given
+/// only with rolling resistance: without it θ′ may change its sign within a phase.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Motion<T> {
     Rolls(Option<RotationDirection>),
