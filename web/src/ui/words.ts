@@ -28,6 +28,7 @@ const rounded = (value: number): number => Number(value.toPrecision(4));
 const {
   theta_rate: { usual: spins },
   mu_s: { usual: grips },
+  rolling_resistance: { usual: resistances },
 } = QUANTITY_ROWS;
 
 const SLIDERS: readonly Slider[] = [
@@ -79,6 +80,18 @@ const SLIDERS: readonly Slider[] = [
       return filled(Math.abs(power) < 0.01 ? same : value > 1 ? more : less, {
         value: brief(value, 2),
       });
+    },
+  },
+  {
+    name: 'resistance',
+    least: resistances[0],
+    most: resistances[1],
+    step: 0.01,
+    read: (lab) => lab.plain.rolling_resistance,
+    write: (lab, rolling_resistance) => lab.setPlain({ rolling_resistance }),
+    say: (value) => {
+      const { none, some } = TEXTS.sliders.resistance;
+      return filled(value === 0 ? none : some, { value: brief(value, 3) });
     },
   },
   {
