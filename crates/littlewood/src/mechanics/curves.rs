@@ -384,6 +384,39 @@ impl PhasePlane {
         self.resisted_orbit(theta, theta_rate, window)
     }
 
+    /// Orbits that fill a window, as pieces of all: those from rest at so many angles of each turn,
+    /// and so many that pass a top by equal steps of the rate.
+    pub fn orbits(&self, window: &Window, from_rest: u32, over_top: u32) -> Vec<Vec<Point>> {
+        let angles = (1..=from_rest).map(|i| PI * f64::from(i) / f64::from(from_rest + 1));
+        let rates =
+            (1..=over_top).map(|i| window.y[1] * (f64::from(i) - 0.35) / f64::from(over_top));
+        if self.is_even() {
+            let places = angles
+                .map(|theta| [theta, 0.0])
+                .chain(rates.map(|rate| [0.0, rate]));
+            return places
+                .flat_map(|[theta, rate]| self.orbit(theta, rate, window))
+                .collect();
+        }
+        // An orbit may come in from the turns beside the window.
+        let [from, to] = [window.x[0] - TAU, window.x[1] + TAU];
+        let starts: Vec<f64> = angles.flat_map(|theta| [theta, -theta]).collect();
+        let wide = Window {
+            x: [from, to],
+            ..*window
+        };
+        let at_rest = Self::turned(&wide, &starts)
+            .into_iter()
+            .map(|theta| [theta, 0.0]);
+        let first = TAU * libm::ceil(window.x[0] / TAU);
+        let last = TAU * libm::floor(window.x[1] / TAU);
+        let passing = rates.flat_map(|rate| [[first, rate], [last, -rate]]);
+        at_rest
+            .chain(passing)
+            .flat_map(|[theta, rate]| self.resisted_orbit(theta, rate, window))
+            .collect()
+    }
+
     /// N and F of a hoop that rolls one way, at the rates 0 and 1.
     fn forces_of(&self, theta: f64, rotation: RotationDirection) -> Option<[ContactForces; 2]> {
         if self.is_even() {

@@ -227,7 +227,11 @@ impl PhasePlane {
         };
         let v = course.denominator(at.theta)? * rate * rate;
         let first = course.node(at.theta, v)?;
-        let [left, right] = window.x;
+        // It may leave the window and come back.
+        let [left, right] = [
+            f64::min(window.x[0], at.theta) - TAU,
+            f64::max(window.x[1], at.theta) + TAU,
+        ];
         let (ahead, behind) = match at.rotation {
             RotationDirection::Positive => (right, left),
             RotationDirection::Negative => (left, right),
@@ -297,7 +301,8 @@ impl PhasePlane {
     /// one each way about each top.
     pub(super) fn resisted_separatrices(&self, window: &Window) -> Vec<Vec<[f64; 2]>> {
         let (slope, h) = (self.hoop.slope(), self.hoop.h());
-        let [from, to] = window.x;
+        // They may come in from the turns beside the window.
+        let [from, to] = [window.x[0] - TAU, window.x[1] + TAU];
         let mut pieces = Vec::new();
         for rotation in RotationDirection::ALL {
             // h sin(θ + α) + sin α = ς χ cos α, where it grows.
