@@ -10,7 +10,6 @@ import './style/dialogue.css';
 import './style/levels.css';
 import './style/screens.css';
 import './style/embed.css';
-import { coreModule } from './core/module';
 import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
 import { byId } from './dom';
@@ -47,7 +46,7 @@ import { Plots } from './views/plots';
 const ADDRESS_PAUSE = 250;
 
 watch();
-await startCore(await coreModule(), showDefect);
+await startCore(showDefect);
 if (!namesAgree()) throw new Error('page and core have different versions');
 start(JSON.parse(casesOfCore()) as NamedCase[]);
 
@@ -107,7 +106,7 @@ function start(cases: NamedCase[]): void {
   const phases = new PhaseTable(lab, go);
   const energy = new EnergyBar(lab);
   const impact = new ImpactPane(lab, palette, draw, go);
-  const moves = new MovesPane(lab, draw);
+  const moves = new MovesPane(lab, () => !level.isSimple, draw, showDefect);
   watchDrags(lab);
   new Share(
     lab,

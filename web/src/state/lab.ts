@@ -1,5 +1,6 @@
 // The laboratory: the last valid state, its motion, and the listeners to changes.
 
+import { type Ghost, ghostOf, type Prediction, predictionOf } from '../core/derivatives';
 import {
   HULA_HOOP,
   inOrder,
@@ -10,16 +11,8 @@ import {
   type Values,
   valuesOf,
 } from '../core/fields';
-import {
-  type ColumnUnits,
-  type Event,
-  type Ghost,
-  ghostOf,
-  type ImpactEvent,
-  Motion,
-  unitsOf,
-} from '../core/motion';
-import { type Prediction, Problem, Refusal } from '../core/wasm';
+import { type ColumnUnits, type Event, type ImpactEvent, Motion, unitsOf } from '../core/motion';
+import { Problem, Refusal } from '../core/wasm';
 import {
   DIMENSIONLESS,
   type DimensionlessNumber,
@@ -34,8 +27,8 @@ import {
   lawOf,
   type NamedCase,
   numberOf,
-  numbersOfProblem,
   type ProblemState,
+  problemIn,
   problemWith,
   type State,
   type ViewState,
@@ -157,7 +150,7 @@ export class Lab {
     const next = landings.findIndex((it) => it.time > this.time);
     const landing = Math.max(next, 0);
     const prediction =
-      landings[landing] === undefined ? null : this.motion.prediction(landings[landing]);
+      landings[landing] === undefined ? null : predictionOf(this.state.problem, landings[landing]);
     if (prediction !== null) this.before = { landing, prediction };
   }
 
@@ -165,8 +158,10 @@ export class Lab {
   get landing(): Landing | null {
     if (this.before === null) return null;
     const { landing, prediction } = this.before;
+    const predicted = ghostOf(prediction, this.state.problem);
+    if (predicted === null) return null;
     return {
-      predicted: ghostOf(prediction, this.problem),
+      predicted,
       exact: this.motion.landings[landing] ?? null,
     };
   }
@@ -306,11 +301,7 @@ export class Lab {
 
 /** Throws a refusal of the core. */
 function checked(problem: ProblemState): Problem {
-  const numbers = numbersOfProblem(problem);
-  const { system, restitution, law, until } = problem;
-  return system === 'si'
-    ? Problem.si(numbers, restitution, law, until)
-    : Problem.dimensionless(numbers, restitution, law, until);
+  return problemIn(Problem, problem);
 }
 
 /** What the core says of a problem, beside the field of the system that is shown. */

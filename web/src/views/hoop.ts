@@ -1,7 +1,8 @@
 // The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and
 // trails. The view is level, and a plane with a slope is tilted.
 
-import { type Ghost, type Motion, modeOf, type Sample, type Samples } from '../core/motion';
+import type { Ghost } from '../core/derivatives';
+import { type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { roundTicks } from '../core/ticks';
 import { MODE_DASHES, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, type Mode, QUANTITY_ROWS } from '../generated/tables';
