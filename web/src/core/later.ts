@@ -1,31 +1,25 @@
 // The part of the core for maps and derivatives. It has a memory of its own, and so problems of its
 // own.
 
+import * as core from '../wasm/later/littlewood_web.js';
 import { laterModule } from './module';
 
-type Later = typeof import('../wasm/later/littlewood_web.js');
-
-let core: Later | null = null;
-let loading: Promise<Later> | null = null;
+let loading: Promise<void> | null = null;
+let isLoaded = false;
 
 /** It, if it has been loaded. */
-export function later(): Later | null {
-  return core;
+export function later(): typeof core | null {
+  return isLoaded ? core : null;
 }
 
 /** Loads it for the page. */
-export function loadLater(): Promise<Later> {
+export function loadLater(): Promise<void> {
   loading ??= load();
   return loading;
 }
 
-async function load(): Promise<Later> {
-  const [module, loaded] = await Promise.all([
-    laterModule(),
-    import('../wasm/later/littlewood_web.js'),
-  ]);
-  await loaded.default({ module_or_path: module });
-  loaded.begin();
-  core = loaded;
-  return loaded;
+async function load(): Promise<void> {
+  await core.default({ module_or_path: await laterModule() });
+  core.begin();
+  isLoaded = true;
 }

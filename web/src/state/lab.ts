@@ -184,7 +184,7 @@ export class Lab {
    * goes to the start unless `view` has a time.
    */
   take(next: ProblemState, view: Partial<ViewState> = {}, fieldErrors: FieldError[] = []): boolean {
-    const before = this.problem;
+    const before = { problem: this.problem, view: this.state.view };
     try {
       const problem = checked(next);
       const motion = Motion.of(problem, caseOf(next));
@@ -203,9 +203,10 @@ export class Lab {
     }
     this.state = { problem: next, view: { ...this.state.view, time: null, ...view } };
     this.fieldErrors = fieldErrors;
-    const changes: Change[] = ['motion', 'time', 'view', 'errors'];
-    if (!sameHoop(before, this.problem)) changes.push('hoop');
-    before.free();
+    const changes: Change[] = ['motion', 'time', 'errors'];
+    if (!sameView(before.view, this.state.view)) changes.push('view');
+    if (!sameHoop(before.problem, this.problem)) changes.push('hoop');
+    before.problem.free();
     this.clampTime();
     this.notify(...changes);
     return true;
@@ -314,6 +315,13 @@ function fieldErrorOf(refusal: Refusal, problem: ProblemState): FieldError {
     given: String(numberOf(problem, field) ?? ''),
     message: inSigns(`${message}: ${hint}`),
   };
+}
+
+/** Whether two views differ in nothing but the time. */
+function sameView(a: ViewState, b: ViewState): boolean {
+  return (Object.keys(a) as (keyof ViewState)[]).every(
+    (key) => key === 'time' || a[key] === b[key],
+  );
 }
 
 /** Whether two problems have the same curves and the same map: all is the same but angle, rate, place and time. */

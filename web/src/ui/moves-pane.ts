@@ -17,7 +17,6 @@ export class MovesPane {
 
   constructor(
     private readonly lab: Lab,
-    private readonly isShown: () => boolean,
     private readonly draw: () => void,
     private readonly failed: (message: string) => void,
   ) {
@@ -36,7 +35,7 @@ export class MovesPane {
     const {
       lab: { held, transition },
     } = this;
-    if (held || (!this.stale && transition === this.shown) || !this.isShown()) return;
+    if (held || (!this.stale && transition === this.shown)) return;
     this.pane.hidden = transition === null;
     if (later() === null) {
       loadLater().then(this.draw, (error: unknown) => this.failed(String(error)));
