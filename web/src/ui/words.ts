@@ -126,6 +126,9 @@ export class Words {
     return { slider, range, said };
   });
 
+  /** The modes that are explained. */
+  private legend = '';
+
   constructor(private readonly lab: Lab) {
     byId('words', HTMLDivElement).append(
       ...this.rows.map(({ slider, range, said }) =>
@@ -155,6 +158,8 @@ export class Words {
       if (it === 'gliding') return problem.isMassless;
       return (it !== 'rest' && it !== 'skidding') || plain.rolling_resistance > 0;
     });
+    if (modes.join() === this.legend) return;
+    this.legend = modes.join();
     byId('words-legend', HTMLUListElement).replaceChildren(
       ...modes.map((mode) =>
         make(
