@@ -49,6 +49,8 @@ export class PlanePane {
   constructor(
     private readonly lab: Lab,
     private palette: Palette,
+    /** The simple view and a frame have no phase plane, and so no map is computed for them. */
+    private readonly isShown: () => boolean,
     draw: () => void,
     failed: (message: string) => void,
   ) {
@@ -189,10 +191,10 @@ export class PlanePane {
     const {
       problem,
       state: {
-        view: { embed, map, rate, shows },
+        view: { map, rate, shows },
       },
     } = this.lab;
-    if (embed || !map || this.asked === shows) return;
+    if (!this.isShown() || !map || this.asked === shows) return;
     this.asked = shows;
     const { restitution, restitutionLaw: law } = problem;
     this.map.ask({ numbers: problem.toDimensionless(), restitution, law, rate, shows });
