@@ -82,7 +82,7 @@ test('every named case is in the menu and shows its motion', { tag: '@thorough' 
   const names = await page
     .locator('#case option:not([value=""])')
     .evaluateAll((all) => all.map((it) => (it as HTMLOptionElement).value));
-  expect(names).toHaveLength(23);
+  expect(names).toHaveLength(28);
   // What the titles of the cases say.
   const then: Record<string, string[] | null> = {
     'figure-3': ['sliding', 'rolling', 'sliding', 'flight'],
@@ -100,6 +100,11 @@ test('every named case is in the menu and shows its motion', { tag: '@thorough' 
     'uphill-disc': ['rolling'],
     'ramp-jump': ['rolling', 'sliding', 'rolling', 'sliding', 'flight'],
     'ramp-libration': ['rolling'],
+    'libration-rests': ['rolling', 'rolling', 'rolling', 'rest'],
+    'rests-on-far-side': ['rolling', 'rolling', 'rest'],
+    'disc-rests-on-ramp': ['rolling', 'rest'],
+    skid: ['skidding', 'rolling', 'rolling', 'rest'],
+    'painleve-resisted': [],
   };
   for (const name of names) {
     await page.locator('#case').selectOption(name);

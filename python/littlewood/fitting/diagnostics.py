@@ -15,7 +15,7 @@ from .._internal.elementwise import Reals
 from .._internal.extras import require
 from .._internal.terminal import printable
 from .calibration import CALIBRATION, determined
-from .problem import ROUGH
+from .problem import OF_HOOP, ROUGH
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -55,6 +55,8 @@ _EXPLAINS = 0.4
 # What nobody weighs, and by which part somebody may take it wrong.
 _COEFFICIENTS = ("mu_s", "mu_k", "restitution")
 _DOUBTFUL = 0.1
+# A rolling resistance that a hoop on a hard floor may have.
+_RESISTANCE = 0.01
 # A derivative of which less is left beside those of the free parameters cannot be told from theirs.
 _SEPARATE = 1e-3
 
@@ -193,8 +195,8 @@ def _contradictions(
         if columns is None:
             continue
         slope = stacked(columns)
-        if name in _COEFFICIENTS:
-            change = _DOUBTFUL * float(values[name])
+        if name in _COEFFICIENTS or name == "rolling_resistance":
+            change = _DOUBTFUL * float(values[name]) if name in _COEFFICIENTS else _RESISTANCE
             moved = (
                 np.abs(rows.T @ ((basis.T @ slope) / singular) / norms)
                 * change
@@ -206,7 +208,7 @@ def _contradictions(
             if unseen and k is not None and moved[k] > _LOUD:
                 yield Doubt(
                     "held",
-                    f"if {name}, held at {values[name]:.3g}, is wrong by {_DOUBTFUL:.0%}, "
+                    f"if {name}, held at {values[name]:.3g}, is wrong by {change:.2g}, "
                     f"{problem.names[k]} is by "
                     f"{moved[k]:.0f} standard errors, and the track does not show it: estimate "
                     f"{name}, too",
@@ -217,6 +219,8 @@ def _contradictions(
         if size <= _SEPARATE * float(np.linalg.norm(slope)):
             continue
         score = float(residuals @ apart) / size
+        if not problem.may_move(name, values.get(name, 0.0), -score):
+            continue
         found.append((abs(score), name, values.get(name, 0.0) - score / size, 1.0 / size))
     found.sort(reverse=True)
     # What explains little of waves in the residuals is not their cause.
@@ -230,10 +234,12 @@ def _contradictions(
             value, error = _freed(problem, unknowns, name, value, error)
         words.append(f"{name} {value:.3g} ± {error:.1g} in place of {values.get(name, 0.0):.3g}")
     of_camera = shown[0][1].startswith(_CAMERA)
+    parameters = tuple(name for _, name, _, _ in shown)
+    remedy = ": put it into free" if parameters[0] in OF_HOOP else ""
     yield Doubt(
         "camera" if of_camera else "held",
-        f"by {found[0][0]:.0f} standard errors the track asks for {' or '.join(words)}",
-        tuple(name for _, name, _, _ in shown),
+        f"by {found[0][0]:.0f} standard errors the track asks for {' or '.join(words)}{remedy}",
+        parameters,
     )
 
 
