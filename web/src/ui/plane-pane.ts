@@ -180,7 +180,7 @@ export class PlanePane {
       entry.hidden =
         curve === undefined
           ? this.curves.region.length === 0
-          : this.curves.lines[curve].every((it) => it.length === 0);
+          : this.curves.lines[curve].length === 0;
     }
     this.asked = null;
     this.askMap();
@@ -252,11 +252,7 @@ export class PlanePane {
       make('span', { class: 'swatch region', 'aria-hidden': 'true' }),
       '𝓡, hatched: it can roll here',
     );
-    const left =
-      this.lab.plain.rolling_resistance > 0
-        ? [make('li', {}, 'χ > 0: no curves of rolling, whose limits differ each way')]
-        : [];
-    byId('curves', HTMLUListElement).replaceChildren(...curves, region, ...left);
+    byId('curves', HTMLUListElement).replaceChildren(...curves, region);
   }
 
   private showLegend(): void {
