@@ -84,7 +84,8 @@ function start(cases: NamedCase[]): void {
   /** Letters, forces in numbers and what is predicted are for lessons and the full view. */
   const isPlain = (): boolean => level.isSimple && ask.lesson === null;
   const hoop = new HoopPane(lab, clock, palette, isPlain, draw);
-  const plane = new PlanePane(lab, palette, draw, showDefect);
+  const isWhole = (): boolean => !lab.state.view.embed && !level.isSimple;
+  const plane = new PlanePane(lab, palette, isWhole, draw, showDefect);
   const plots = new Plots(byId('plots', HTMLDivElement), palette, (time) => {
     clock.pause();
     lab.setTime(time);
@@ -126,7 +127,7 @@ function start(cases: NamedCase[]): void {
   function paint(): void {
     frame = 0;
     hoop.paint();
-    if (lab.state.view.embed || level.isSimple) return;
+    if (!isWhole()) return;
     if (stale.motion) {
       const { motion, units, pinned, state } = lab;
       plots.setMotion({
