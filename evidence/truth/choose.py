@@ -24,6 +24,7 @@ HERE = Path(__file__).parent
 SEED = 20260815
 
 Draw = dict[str, Any]
+LAWS = ("energetic", "poisson", "newton")
 
 
 def hoops(rng: random.Random) -> Draw:
@@ -143,7 +144,7 @@ def landing() -> Iterator[Draw]:
     """Each coefficient of restitution by each law: twice, followed through the first impacts."""
     number = 0
     for e in (0.0, 0.5, 0.8, 1.0):
-        for law in ("energetic", "poisson", "newton"):
+        for law in LAWS:
             rng = random.Random(f"{SEED} landing {e} {law}")
             found = 0
             while found < 4:
@@ -176,7 +177,7 @@ def settlement() -> Iterator[Draw]:
         def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
             hoop = hoops(rng) | dict(
                 restitution=rng.choice([0.3, 0.5, 0.5, 0.8]),
-                law=rng.choice(["energetic", "poisson", "newton"]),
+                law=rng.choice(LAWS),
             )
             return (
                 hoop,
@@ -256,9 +257,7 @@ def periodic() -> Iterator[Draw]:
     """
 
     def draw(rng: random.Random) -> tuple[Draw, Draw, float | None]:
-        hoop = hoops(rng) | dict(
-            restitution=1.0, law=rng.choice(["energetic", "poisson", "newton"])
-        )
+        hoop = hoops(rng) | dict(restitution=1.0, law=rng.choice(LAWS))
         return hoop, starts(rng, True, 1.0) | dict(gap_rate=round(rng.uniform(0.3, 1.2), 2)), 5.0
 
     yield from searched("elastic", 12, draw, lambda m: 2 <= causes(m).count("landing") <= 12)
@@ -498,10 +497,13 @@ def proved(
     family: str,
     parts: list[tuple[int, Callable[[random.Random], Draw], Callable[[Draw], bool]]],
     *first: Draw,
+    most_bits: int = 1000,
+    screened: bool = False,
 ) -> Iterator[Draw]:
     """Yield named cases, then draw until so many certificates of each part fit.
 
-    The maker follows what is drawn; a motion has few events.
+    The maker follows what is drawn, with so many bits; a motion has few events. What is screened
+    has to fit by the library, too, which is faster.
     """
     found = 0
     for one in first:
@@ -512,10 +514,24 @@ def proved(
         wanted = found + count
         while found < wanted:
             one = draw(rng) | dict(family=family, name=f"{family}-{found + 1:02d}")
-            certificate = certify(Case.read(one))
+            if screened and not fits(sketch(one)):
+                continue
+            certificate = certify(Case.read(one), most_bits)
             if certificate["certified"] and len(certificate["events"]) < 14 and fits(certificate):
                 found += 1
                 yield one
+
+
+def sketch(one: Draw) -> Draw:
+    """Return what a certificate of a case would have of phases, events and end, by the library."""
+    motion = follow(one["hoop"], one["start"], one["until"])
+    end = {"theta_rate": [str(motion.outcome.state.theta_rate), "0"]}
+    return dict(
+        case=one,
+        phases=[{"mode": phase.mode} for phase in motion.phases],
+        events=[{"cause": event.cause, "to": event.to_mode} for event in motion.transitions],
+        end={"kind": motion.outcome.kind, "state": end},
+    )
 
 
 def resisted(
@@ -625,7 +641,7 @@ def rests_landing() -> Iterator[Draw]:
         return found | dict(hoop=found["hoop"] | dict(restitution_law=law(rng)))
 
     def law(rng: random.Random) -> str:
-        return rng.choice(["energetic", "poisson", "newton"])
+        return rng.choice(LAWS)
 
     def falls(rng: random.Random) -> Draw:
         return thrown(rng, 0.0, None)
@@ -650,6 +666,156 @@ def rests_landing() -> Iterator[Draw]:
             (8, falls, lambda c: rests_in(c, "landing")),
             (4, bounces, lambda c: c["end"]["kind"] == "time_limit"),
             (4, jams, lambda c: rests_in(c, "jam")),
+        ],
+    )
+
+
+def rests_massless() -> Iterator[Draw]:
+    """Massless hoops with rolling resistance: they rest, or glide until the particle is down."""
+
+    def drawn(rng: random.Random) -> Draw:
+        rate = rng.choice([0.0, rng.uniform(-0.9, 0.9)])
+        start = rng.uniform(-3.1, 3.1), rate, rng.choice([0.0, rng.uniform(-0.8, 0.8)])
+        without = dict(mass_ratio=0.0, offset=1.0, inertia=0.0)
+        return resisted(rng, start, (0.02, 0.6), (0.1, 1.5), 40.0, **without)
+
+    def falls(certificate: Draw) -> bool:
+        glides = modes(certificate).count("gliding") > 1 or "rolling" in modes(certificate)
+        return certificate["end"]["kind"] == "particle_at_plane" and glides
+
+    yield from proved(
+        "rests-massless",
+        [
+            (3, drawn, lambda c: rests_in(c, "skidding")),
+            (3, drawn, lambda c: rests_in(c, "rolling")),
+            (2, drawn, lambda c: "normal_force_zero" in [one["cause"] for one in c["events"]]),
+            (4, drawn, falls),
+        ],
+        most_bits=224,
+        screened=True,
+    )
+
+
+def settled(
+    rng: random.Random, e: float, laws: tuple[str, ...], slope: float, **hoop: float
+) -> Draw:
+    """Return a thrown hoop with rolling resistance whose bounces may settle."""
+    start = rng.uniform(-3.1, 3.1), rng.uniform(-1, 1), rng.choice([0.0, rng.uniform(-0.6, 0.6)])
+    found = resisted(rng, start, (0.02, 0.6), (0.1, 1.5), 6.0, restitution=e, **hoop)
+    found["start"]["gap_rate"] = round(rng.uniform(0.02, 0.3), 2)
+    if slope:
+        found["hoop"]["slope"] = slope
+    return found | dict(hoop=found["hoop"] | dict(restitution_law=rng.choice(laws)))
+
+
+def settles(certificate: Draw) -> bool:
+    """Whether bounces settle."""
+    return "settle" in [one["cause"] for one in certificate["events"]]
+
+
+def rests_elastic() -> Iterator[Draw]:
+    """Full restitution with rolling resistance: bounces that settle by friction, and that do not.
+
+    Where the couple holds the angle, and Newton's law returns all of the rate, they bounce on.
+    """
+
+    def bounces(rng: random.Random) -> Draw:
+        return settled(rng, 1.0, ("energetic", "poisson"), 0.0)
+
+    def goes_on(rng: random.Random) -> Draw:
+        return settled(rng, 1.0, ("newton",), 0.0) | dict(until=2.0)
+
+    def held(rng: random.Random) -> Draw:
+        found = settled(rng, 1.0, ("energetic", "poisson"), 0.0) | dict(until=2.0)
+        found["start"]["theta_rate"] = found["start"]["slip"] = 0.0
+        return found
+
+    def still(certificate: Draw) -> bool:
+        last = certificate["end"].get("state", {})
+        return certificate["end"]["kind"] == "time_limit" and float(last["theta_rate"][0]) == 0
+
+    yield from proved(
+        "rests-elastic",
+        [
+            (6, bounces, settles),
+            (1, goes_on, lambda c: len(c["events"]) > 3),
+            (1, held, lambda c: len(c["events"]) > 3 and still(c)),
+        ],
+        most_bits=224,
+        screened=True,
+    )
+
+
+def ramp_settles() -> Iterator[Draw]:
+    """Bounces that settle on a slope, with rolling resistance and without."""
+
+    def steep(rng: random.Random) -> float:
+        return round(rng.uniform(0.03, 0.35) * rng.choice([-1, 1]), 2)
+
+    def bounces(rng: random.Random) -> Draw:
+        return settled(rng, rng.choice([0.3, 0.5, 0.8]), LAWS, steep(rng))
+
+    def plain(rng: random.Random) -> Draw:
+        found = bounces(rng)
+        del found["hoop"]["rolling_resistance"]
+        return found
+
+    def held(rng: random.Random) -> Draw:
+        found = settled(rng, rng.choice([0.3, 0.5, 0.8]), LAWS, steep(rng), rolling_resistance=1.5)
+        found["start"]["theta_rate"] = 0.0
+        return found
+
+    def into(mode: str) -> Callable[[Draw], bool]:
+        def fits(certificate: Draw) -> bool:
+            return any(
+                one["cause"] == "settle" and one["to"] == mode for one in certificate["events"]
+            )
+
+        return fits
+
+    yield from proved(
+        "ramp-settles",
+        [
+            (3, bounces, into("rolling")),
+            (3, bounces, into("sliding")),
+            (2, held, into("rest")),
+            (1, held, into("skidding")),
+            (3, plain, into("rolling")),
+            (2, plain, into("sliding")),
+        ],
+        most_bits=224,
+        screened=True,
+    )
+
+
+def rests_si() -> Iterator[Draw]:
+    """Rolling resistance in kilograms, metres and seconds: a length of millimetres."""
+
+    def drawn(rng: random.Random) -> Draw:
+        disc, particle = rng.choice([0.124, 0.0244, 0.186]), rng.choice([0.051, 0.066, 0.14])
+        radius = rng.choice([0.14, 0.3, 0.45])
+        mu_s = round(rng.uniform(0.2, 0.8), 2)
+        hoop = dict(
+            disc_mass_kg=disc,
+            particle_mass_kg=particle,
+            radius_m=radius,
+            offset_m=round(radius * rng.choice([1.0, 0.9, 0.6]), 4),
+            inertia_kg_m2=float(f"{disc * radius**2:.6g}"),
+            mu_s=mu_s,
+            mu_k=round(mu_s * rng.choice([1.0, 0.8]), 3),
+            gravity_m_per_s2=9.80665,
+            rolling_resistance_m=round(radius * rng.uniform(0.02, 0.3), 4),
+        )
+        slip = rng.choice([0.0, round(rng.uniform(-1, 1), 2)])
+        start = dict(theta=round(rng.uniform(-3.1, 3.1), 2), slip=slip)
+        start["theta_rate"] = round(rng.uniform(-15, 15), 1)
+        return case("", 0, hoop, start, None) | dict(units="si")
+
+    yield from proved(
+        "rests-si",
+        [
+            (5, drawn, lambda c: rests_in(c, "rolling")),
+            (3, drawn, lambda c: rests_in(c, "sliding", "rolling")),
         ],
     )
 
@@ -730,6 +896,10 @@ FAMILIES = (
     rests_sliding,
     rests_landing,
     ramp_rests,
+    rests_massless,
+    rests_elastic,
+    ramp_settles,
+    rests_si,
 )
 
 

@@ -323,6 +323,11 @@ RECERTIFIED = (
     "rests-sliding-01",
     "rests-landing-12",
     "ramp-rests-13",
+    "rests-massless-04",
+    "rests-elastic-07",
+    "ramp-settles-02",
+    "ramp-settles-09",
+    "rests-si-01",
 )
 
 
@@ -471,15 +476,38 @@ def test_what_is_not_certified_says_what_and_where() -> None:
         check(certificate)
 
 
-def test_bounces_on_a_slope_are_not_certified_to_settle() -> None:
-    certificate = certify(Case(THIN, (2.5, 0.3, 0.1, 0.2), 8.0, 0.3, slope=0.1), most_bits=200)
-    assert certificate["reason"].startswith("bounces on a slope are not proved to settle"), (
-        certificate["reason"]
-    )
-    # Impacts before are.
-    certificate = certify(Case(THIN, (2.5, 0.3, 0.1, 0.6), 1.5, 0.8, slope=0.1))
-    assert [one["cause"] for one in certificate["events"]] == ["landing"]
-    assert check(certificate)["events"] == 1
+@pytest.mark.parametrize("chi", [0.0, 0.1])
+def test_bounces_settle_on_a_slope(chi: float) -> None:
+    """They do, and mirrored ones do so at the same time."""
+    found = []
+    for side in (1, -1):
+        start = (side * 2.5, side * 0.3, side * 0.1, 0.05)
+        case = Case(THIN, start, 1.0, 0.3, slope=side * 0.1, rolling_resistance=chi)
+        certificate = certify(case)
+        settled = [one for one in certificate["events"] if one["cause"] == "settle"]
+        assert len(settled) == 1
+        found.append([settled[0]["state"]["time"], settled[0]["impact"]["normal_impulse"]])
+        check(certificate)
+    assert found[0] == found[1]
+
+
+def test_held_bounces_on_a_slope_are_a_geometric_series() -> None:
+    """Nothing turns: θ stays, each flight takes 2 v/cos α, and friction ends its slip."""
+    v, e, alpha = 0.25, 0.5, 0.125
+    hoop, start = (1.0, 0.5, 0.5, 0.5, 0.5), (0.25, 0.0, 0.0, v)
+    certificate = certify(Case(hoop, start, 9.0, e, slope=alpha, rolling_resistance=2.0))
+    causes = [one["cause"] for one in certificate["events"]]
+    assert causes == ["landing"] * 8 + ["settle"] and certificate["end"]["kind"] == "rests"
+    with checker.precision(256):
+        sin, cos = sine_and_cosine(Range.of(Fraction(alpha)))
+        # 2 v/(cos α (1 − e)), and the place: −sin α Σ τ²/2, as the slip begins anew each time.
+        time = 2 * Range.of(Fraction(v)) / (cos * Range.of(1 - Fraction(e)))
+        first = 2 * Range.of(Fraction(v)) / cos
+        place = -(sin * (first * first) / 2) / Range.of(1 - Fraction(e) ** 2)
+        end = certificate["end"]["state"]
+        assert end["time"] == checker.text_of(time)
+        assert end["x"] == checker.text_of(place)
+    check(certificate)
 
 
 def test_mirrored_slopes_have_mirrored_certificates() -> None:
@@ -561,8 +589,8 @@ def of_families(most: int) -> Iterator[dict[str, Any]]:
     """So many motions of each family of the program of rolling resistance that can be proved."""
     counts: dict[str, int] = {}
     for motion in RESISTANCE:
-        # Bounces on a slope are not proved to settle, and discs roll for a long time.
-        if motion["family"] == "massless" or (motion["impacts"] > 3 and motion["hoop"]["slope"]):
+        # A certificate of a massless hoop has its particle on the rim; discs roll for a long time.
+        if motion["family"] == "massless" and motion["hoop"]["offset"] != 1:
             continue
         if motion["family"] == "discs" and motion["ended"] != "rests":
             continue
@@ -690,15 +718,19 @@ def test_a_disc_that_rests_on_a_slope_has_its_closed_form() -> None:
 def test_what_a_motion_with_rolling_resistance_loses_is_what_its_kinds_of_friction_take() -> None:
     found = 0
     for name, one in CASES.items():
-        if "rolling_resistance" not in one.given["hoop"]:
+        if not {"rolling_resistance", "rolling_resistance_m"} & one.given["hoop"].keys():
             continue
         certificate = json.loads((TRUTH / "certificates" / f"{name}.json").read_text())
         energy, state = certificate["energy"], certificate["end"]["state"]
+        # The particle at the plane has no finite rate to count.
+        if "energy" not in state:
+            continue
         lost = [Fraction(energy[name][0]) for name in energy if name.startswith("lost")]
         left = Fraction(energy["start"][0]) - Fraction(state["energy"][0])
-        assert abs(left - sum(lost)) < Fraction(1, 10**26) and min(lost) >= 0, name
+        gains = one.given["hoop"].get("restitution_law") == "newton"
+        assert abs(left - sum(lost)) < Fraction(1, 10**26) and (min(lost) >= 0 or gains), name
         found += 1
-    assert found >= 60
+    assert found >= 110
 
 
 def test_a_state_with_no_motion_by_rolling_resistance_and_one_with_two() -> None:
@@ -732,6 +764,32 @@ def test_a_state_with_no_motion_by_rolling_resistance_and_one_with_two() -> None
             Case((0.14, 1.0, 0.14, 2.36, 2.36), (1.45, 2.06, 0.0, 0.0), rolling_resistance=3.39),
             "rolling is not stable where D_χ is negative",
         ),
+        # The couple holds the angle, and nothing takes energy: no bounce is the last.
+        (
+            Case((1.0, 0.6, 0.5, 0.5, 0.5), (0.1, 0.0, 0.0, 5e-4), None, 1.0, rolling_resistance=1),
+            "the motion takes more than 20000 pieces",
+        ),
+        # Each impact reverses the slip of its flight, in proportion to the rate of the gap.
+        (
+            Case(
+                (0.1, 0.9, 0.07500000000000001, 0.53, 0.53),
+                (0.21, -0.7, 0.0, 0.26),
+                6.0,
+                0.5,
+                "poisson",
+                slope=-0.31,
+                rolling_resistance=0.24,
+            ),
+            "bounces are not seen to settle",
+        ),
+        (
+            Case((0.0, 1.0, 0.0, 0.5, 0.4), (2.0, 0.0, 0.0, 0.0), None, rolling_resistance=0.1),
+            "whether particle_height or slip vanishes is not decided",
+        ),
+        (
+            Case((0.0, 1.0, 0.0, 0.5, 0.4), (0.0, 0.0, 0.5, 0.0), None, rolling_resistance=0.1),
+            "a glide begins with the particle above or below the centre",
+        ),
     ],
 )
 def test_what_rolling_resistance_leaves_unproved_is_named(case: Case, reason: str) -> None:
@@ -739,11 +797,14 @@ def test_what_rolling_resistance_leaves_unproved_is_named(case: Case, reason: st
     assert certificate["reason"].startswith(reason), certificate["reason"]
 
 
-def test_a_hoop_without_mass_has_no_certificate_with_rolling_resistance() -> None:
-    with pytest.raises(
-        CaseError, match=r"hoop.rolling_resistance = 0.1 must be 0: the hoop has no"
-    ):
-        Case((0.0, 1.0, 0.0, 0.5, 0.4), (0.0, 0.5, 0.0, 0.0), rolling_resistance=0.1)
+def test_a_loss_that_vanishes_is_no_number_by_definition() -> None:
+    """With e = 1 and the angle held an impact loses nothing: 0, with a radius."""
+    hoop, start = (1.0, 0.6, 0.5, 0.4, 0.3), (0.1, 0.0, 0.0, 0.1)
+    certificate = certify(Case(hoop, start, 1.0, 1.0, rolling_resistance=0.1))
+    assert {tuple(one["impact"]["energy_lost"]) for one in certificate["events"]} == {
+        ("0", "1e-40")
+    }
+    check(certificate)
 
 
 def test_digits_that_are_not_decided_are_named_and_more_bits_decide_them() -> None:
@@ -1085,6 +1146,21 @@ def test_the_radius_of_a_number_is_that_of_the_rule() -> None:
         assert checker.text_of(
             Range.of(number) if tail == "12345" else Range.of(number).widened(Range(1))
         )[1] == (f"{radius}e-31")
+
+
+@pytest.mark.usefixtures("bits")
+def test_ends_on_both_sides_of_the_digits_do_not_tell_the_radius() -> None:
+    """Both ends are 0.19 units from the digits, and what is enclosed may be those digits."""
+    from littlewood.certify import balls
+
+    number, spread = Fraction(int("1" * 30), 10**29), Fraction(19, 10**31)
+    wide = Range.of(number).widened(Range.of(spread))
+    with pytest.raises(checker.Inconclusive, match="the digits of a number are not decided"):
+        checker.text_of(wide)
+    with balls.precision(256):
+        ball = balls.ball(number) + balls.arb(0, 1) * balls.ball(spread)
+        with pytest.raises(balls.Undecided, match="the digits of a number are not decided"):
+            balls.text(ball)
 
 
 def test_the_discs_of_the_checker_enclose() -> None:

@@ -107,6 +107,10 @@ def text(value: Ball) -> list[str]:
             raise Undecided("a number may be 0")
         return ["0", "1e-40"]
     found = {_of_point(low), _of_point(high)}
+    # Ends on both sides of the midpoint may be as far from it, and what is between is nearer.
+    middle = Fraction(next(iter(found))[0])
+    if low < middle < high:
+        found.add(_of_point(middle))
     if len(found) > 1:
         raise Undecided("the digits of a number are not decided")
     return list(found.pop())

@@ -631,7 +631,7 @@ class State:
 def text_of(value: Range) -> list[str]:
     """Return 30 digits and ⌊d + 1/1000⌋ + 1 of their error d in hundredths of the last.
 
-    Both ends have to agree.
+    All numbers between both ends have to agree.
     """
     low, high = value.ends()
     if low == high == 0:
@@ -641,7 +641,8 @@ def text_of(value: Range) -> list[str]:
     if low <= 0 <= high:
         raise Inconclusive("a number is not told apart from 0")
     one, other = _digits(low), _digits(high)
-    if one != other:
+    # If the digits themselves are a number between the ends, its error is 0.
+    if one != other or (low <= Fraction(one[0]) <= high and not one[1].startswith("1e")):
         raise Inconclusive("the digits of a number are not decided")
     return one
 
@@ -971,9 +972,8 @@ def valid_case(case: Any, where: str = "") -> None:
             f"{dot}start.gap_rate",
             "be 0: the hoop has no mass",
         )
-        for key in ("slope", "rolling_resistance", "rolling_resistance_m"):
-            value = hoop.get(key, 0)
-            _must(value == 0, value, f"{dot}hoop.{key}", "be 0: the hoop has no mass")
+        slope = hoop.get("slope", 0)
+        _must(slope == 0, slope, f"{dot}hoop.slope", "be 0: the hoop has no mass")
 
 
 class Written(float):
@@ -1099,14 +1099,14 @@ class Given:
 # | phase | θ″ | guards: it lasts while they are positive |
 # |---|---|---|
 # | rolling | (ℓ s (cos α + ω²) + (m + ℓ c) sin α)/D | μs N − F, μs N + F |
-# | rolling, massless | the same | 1 − ω² (the sign of N), μs (1 + c) − s, μs (1 + c) + s |
+# | rolling, massless | the same | 1 − ω² (the sign of N), μs (1 + c) ± (s − ς χ) |
 # | sliding | m q w/P | σ η′, w, P (N = m Î w/P) |
 # | gliding | w/(h s) | σ η′, until the particle falls to the plane (:func:`fall`) |
 # | flight | 0 | the gap |
 # | skidding | 0 | σ η′ |
 #
-# With rolling resistance rolling and sliding have ς θ′ for one more guard, and a hoop that rests
-# has none: it rests for ever.
+# With rolling resistance all phases that turn on the plane have ς θ′ for one more guard, and a hoop
+# that rests has none: it rests for ever.
 #
 # Slip and place are no further unknowns. A slide has m x̄″ = −σ μk N − m sin α, N = m (ȳ″ + cos α);
 # so with f = σ μk of a slide, else 0, and d = f cos α + sin α,
@@ -1171,9 +1171,11 @@ class Phase:
         s, c, omega = angle
         turns = {TURNING: omega * self.rotation} if self.rotation else {}
         if self.mode == ROLLING and self.massless:
-            # F/N = −tan(θ/2), and N has the sign of 1 − ω²: where N vanishes F does, too.
-            grip = body.mu_s * (1 + c)
-            return {NORMAL: 1 - omega * omega, UP: grip + s, DOWN: grip - s}
+            # F/N = −(s − ς χ)/(1 + c), and N has the sign of 1 − ω²: where N vanishes F does, too.
+            grip, need = body.mu_s * (1 + c), s
+            if self.rotation:
+                need = s - body.chi * self.rotation
+            return {NORMAL: 1 - omega * omega, UP: grip + need, DOWN: grip - need} | turns
         if self.mode == ROLLING:
             normal, friction = body.forces(s, c, omega, alpha)
             margins = {UP: body.mu_s * normal - friction, DOWN: body.mu_s * normal + friction}
@@ -2031,12 +2033,13 @@ def _resisted(given: Given, state: State, gives_way: int, before: Next | None) -
     Several modes are ambiguous at a start, which has nothing before it; what arrives stays in
     contact, and goes on holding what it held.
     """
-    if given.massless:
-        raise Inconclusive("a hoop without mass has no motion with rolling resistance")
     _, c = sine_and_cosine(state.theta)
     moving, turning = state.slip.sign(), state.rate.sign()
-    w = given.body.weight(c, state.rate)
-    presses, evidence = w.sign(), {"contact": w}
+    presses, evidence = 1, {}
+    # A hoop without mass stays on the plane: what does not roll glides.
+    if not given.massless:
+        w = evidence["contact"] = given.body.weight(c, state.rate)
+        presses = w.sign()
     if presses == 0:
         raise Inconclusive("w vanishes where a motion begins")
     ways = [(moving,) if moving else (0, -1, 1), (turning,) if turning else (0, -1, 1)]
@@ -2079,8 +2082,11 @@ class _Contact:
 
     def tried(self, sigma: int, rotation: int) -> Next | None:
         """Return the mode of two signs if it is consistent."""
+        if rotation and sigma:
+            slides = self._glides if self.given.massless else self._slides
+            return slides(sigma, rotation)
         if rotation:
-            return self._slides(sigma, rotation) if sigma else self._rolls(rotation)
+            return self._rolls(rotation)
         return self._skids(sigma) if sigma else self._rests()
 
     def _rests(self) -> Next | None:
@@ -2131,6 +2137,20 @@ class _Contact:
             return None
         return Next(ROLLING, 0, {} if self.turning else evidence, 0, rotation)
 
+    def _glides(self, sigma: int, rotation: int) -> Next | None:
+        """Return a glide, in which nothing but the free fall of the particle turns the hoop."""
+        (s, c, omega), body = self.angle, self.given.body
+        if s.is_zero():
+            raise Inconclusive("a glide begins with the particle above or below the centre")
+        alpha = body.gliding(s, c, omega)
+        if not self.turning and (alpha * rotation).sign() <= 0:
+            return None
+        if self.moving:
+            return Next(GLIDING, sigma, {}, 0, rotation)
+        # η″ = (1 + c) θ″ − s ω² = (1 + c) (1 − ω²)/s.
+        side = s.sign() * (1 - omega * omega).sign()
+        return Next(GLIDING, sigma, {}, 1, rotation) if side == sigma else None
+
     def _slides(self, sigma: int, rotation: int) -> Next | None:
         body, (s, c, omega) = self.given.body, self.angle
         p = body.solvability(s, c, sigma, rotation)
@@ -2176,6 +2196,8 @@ class Impact:
     evidence: dict[str, Range]
     last: Next = ARRIVED
     """What its last segment holds."""
+    spin: Range = field(default_factory=lambda: Range(0))
+    """What it adds to θ′."""
 
 
 def impact(body: Body, before: State, e: Range, law: str) -> Impact:
@@ -2225,7 +2247,7 @@ def impact(body: Body, before: State, e: Range, law: str) -> Impact:
     friction = r * normal + (f - r) * slipping
     spin = (body.h * s * normal + (1 + body.h * c) * friction) / body.inertia
     after = replace(before, rate=before.rate + spin, slip=slip, gap=Range(0), gap_rate=opening)
-    return Impact(after, normal, friction, case, evidence)
+    return Impact(after, normal, friction, case, evidence, spin=spin)
 
 
 # An impact with rolling resistance (docs/theory/rolling-resistance.md), whose couple is −ς χ a unit
@@ -2285,7 +2307,7 @@ def segment(body: Body, before: State, rates: tuple[Range, Range]) -> Segment:
 def impact_with_couple(body: Body, before: State, e: Range, law: str) -> Impact:
     """Follow an impact with rolling resistance; without a gap rate it is a jam."""
     slip, rate, v = before.slip, before.rate, before.gap_rate
-    p = friction = work = Range(0)
+    p = friction = work = spin = Range(0)
     # Impulse and work of the compression, once it has ended.
     pressed: tuple[Range, Range] | None = None
     passed: list[tuple[Segment, Range, bool]] = []
@@ -2311,6 +2333,7 @@ def impact_with_couple(body: Body, before: State, e: Range, law: str) -> Impact:
                 step, opening, name = one
         work += step * (v + opening) / 2
         p, friction, v = p + step, friction + now.friction * step, opening
+        spin = spin + now.rate * step
         slip = slip + now.slip * step if name != "slip" else Range(0)
         rate = rate + now.rate * step if name != "rate" else Range(0)
         if name == "pressed":
@@ -2320,7 +2343,7 @@ def impact_with_couple(body: Body, before: State, e: Range, law: str) -> Impact:
     evidence |= {f"segment_{k}": begin for k, (_, begin, _) in enumerate(passed[1:], 2)}
     after = replace(before, rate=rate, slip=slip, gap=Range(0), gap_rate=v)
     last = Next("", now.signs[0], {}, 0, now.signs[1])
-    return Impact(after, p, friction, _case_of(passed), evidence, last)
+    return Impact(after, p, friction, _case_of(passed), evidence, last, spin)
 
 
 def _over(
@@ -2368,15 +2391,15 @@ def _case_of(passed: list[tuple[Segment, Range, bool]]) -> str:
 # sums the state stays within the margin, all of it holds for ever.
 #
 # That an impact makes at most e V of V is the law where the contact slips throughout. Where it
-# sticks, the slip of the flight before has the sign of −h s ω², so that σ B < 0 and k1 = C + μk
-# |B| > k2, from which it follows for each law.
+# sticks it follows for each law if k1 > k2; on a level plane, without rolling resistance, the slip
+# of the flight before has the sign of −h s ω², so that σ B < 0 and k1 = C + μk |B| > k2.
 #
-# With rolling resistance θ′ has to keep its sign, and k1 > k2 is demanded. Where the couple holds
-# the angle, and θ′ = 0, rates fall by e exactly.
+# With e = 1, or where k1 is less, bounces still settle where friction takes enough: where the
+# contact sticks in each impact, an impact is homogeneous in its rates, and that of the rate V/v and
+# the slip −(h s ω² + sin α) T/v, in their bounds, says what q is.
 #
-# With e = 1 bounces still settle where friction takes enough: where the contact sticks in each
-# impact, an impact is homogeneous in its rates, and that of the rate V/v and the slip −h s ω² T/v,
-# in their bounds, says what q is.
+# With rolling resistance θ′ has to keep its sign. Where the couple holds the angle, and θ′ = 0,
+# rates fall by e exactly.
 
 
 def slowest() -> Range:
@@ -2397,110 +2420,52 @@ class Rest:
 
 
 def rest_of_bounces(given: Given, start: State) -> Rest:
-    """Enclose what follows, if the bounces settle."""
-    body, e = given.body, given.restitution
-    assert e is not None
-    v = start.gap_rate.largest()
-    margin = v * (1 << 24)
-    theta, rate = start.theta.widened(margin), start.rate.widened(margin)
-    s, c = sine_and_cosine(theta)
-    pull = body.weight(c, rate)
-    _demand(exceeds(pull.least(), 0), "are pulled back")
-    weakest, strongest = pull.least(), pull.largest()
-    uneven = (strongest / weakest).sqrt()
-    shrink = (e * uneven).largest()
-    if not exceeds(1 - shrink, 0) and start.slip.is_zero():
-        flight = between(2 / strongest, 2 / weakest)
-        slips = -(body.h * s * rate * rate * flight)
-        landing = replace(
-            start, theta=theta, rate=rate, slip=slips, gap_rate=-between(1 / uneven, uneven)
-        )
-        shrink = impact(body, landing, e, given.law).after.gap_rate.largest()
-    _demand(exceeds(1 - shrink, 0), "shrink")
-    a, b, across = body.compliances(s, c)
-    size, drift = b.largest(), (body.h * s * rate * rate).largest()
-    longest = 2 * v / weakest
-    time = (longest / (1 - shrink)).largest()
-    closing = v * uneven / (1 - shrink)
-    if start.slip.is_zero():
-        # A flight slips by so little that the slip ends within the impact after it.
-        _demand(exceeds(s, 0) or exceeds(-s, 0), "stick")
-        _demand(exceeds(body.mu_s * a, size), "stick")
-        least, back = abs(b).least(), v * (weakest / strongest).sqrt()
-        pressed = (1 + e) * back * (body.mu_k * a + least)
-        _demand(exceeds(pressed, drift * longest * (across + body.mu_k * size)), "stick")
-        press, hold = across - b * b / a, body.mu_s
-    else:
-        press, hold = across - body.mu_k * b * start.slip.sign(), body.mu_k
-    _demand(exceeds(press, 0), "are pressed back")
-    normal = ((1 + e) * closing / press).largest()
-    friction = (hold * normal).largest()
-    change = (a * friction + size * normal + drift * time).largest()
-    slip = start.slip
-    if not slip.is_zero():
-        # No slip ends within an impact: |η′|/(μk A − σ B) exceeds all impulses together.
-        _demand(
-            exceeds(abs(slip) - change, (body.mu_k * a - b * slip.sign()) * normal),
-            "keep their slip",
-        )
-        slip = slip.widened(change)
-    turn = (rate.largest() * time).largest()
-    spin = ((body.h * normal + (1 + body.h) * friction) / body.inertia).largest()
-    _demand(exceeds(margin, turn) and exceeds(margin, spin), "stay within their margin")
-    far = ((rate.largest() + abs(start.slip).largest() + change) * time).largest()
-    half, zero = (time / 2).largest(), Range(0)
-    end = State(
-        (start.time + half).widened(half),
-        start.theta.widened(turn),
-        start.rate.widened(spin),
-        slip,
-        start.x.widened(far),
-        zero,
-        zero,
-    )
-    middle = (normal / 2).largest()
-    return Rest(end, middle.widened(middle), zero.widened(friction))
+    """Enclose what follows, if the bounces settle.
 
-
-def rest_with_couple(given: Given, start: State) -> Rest:
-    """Enclose what follows with rolling resistance, while θ′ keeps its sign, or its value 0."""
+    With rolling resistance θ′ keeps its sign, or its value 0.
+    """
     body, e, zero = given.body, given.restitution, Range(0)
     assert e is not None
-    _demand(exceeds(1 - e, 0), "shrink")
-    if start.rate.is_zero():
+    if given.resists and start.rate.is_zero():
         return _rest_without_rotation(body, start, e)
     v = start.gap_rate.largest()
     margin = v * (1 << 24)
     theta, rate = start.theta.widened(margin), start.rate.widened(margin)
-    rotation = rate.sign()
-    (s, c), pull = sine_and_cosine(theta), body.weight(sine_and_cosine(theta)[1], rate)
+    rotation = rate.sign() if given.resists else 0
+    (s, c), sticks = sine_and_cosine(theta), start.slip.is_zero()
+    pull = body.weight(c, rate)
     _demand(exceeds(pull.least(), 0), "are pulled back")
-    weakest, uneven = pull.least(), (pull.largest() / pull.least()).sqrt()
-    shrink = (e * uneven).largest()
-    _demand(exceeds(1 - shrink, 0), "shrink")
-    arm, lever, drift = body.h * s, 1 + body.h * c, (body.h * s * rate * rate).largest()
-    longest = 2 * v / weakest
-    time, closing = (longest / (1 - shrink)).largest(), v * uneven / (1 - shrink)
-    sticks = start.slip.is_zero()
-    # A flight slips against the arm.
-    sigma = -arm.sign() if sticks else start.slip.sign()
+    weakest, strongest = pull.least(), pull.largest()
+    uneven = (strongest / weakest).sqrt()
+    # In a flight the slip falls by this in a unit of time.
+    drift = body.h * s * rate * rate + body.back
+    sigma = -drift.sign() if sticks else start.slip.sign()
+    arm, lever = body.h * s, 1 + body.h * c
     slides = 1 / body.m + arm * body.q(s, c, sigma, rotation) / body.inertia
-    press, hold = slides, body.mu_k
+    press, hold, shrink = slides, body.mu_k, (e * uneven).largest()
+    longest = 2 * v / weakest
     if sticks:
         along = 1 / body.m + lever * lever / body.inertia
         turned = lever * (arm - body.chi * rotation) / body.inertia
         press = body.pressing(s, c, rotation) / (body.inertia * body.m * body.m * along)
         hold = body.mu_s
         _demand(exceeds(body.mu_s * along, turned.largest()), "stick")
-        _demand(exceeds(slides, press), "lose by sticking")
+        _demand(exceeds(slides, 0), "are pressed back")
         # The slip ends within the impact, were it to slide throughout.
         slowing = body.mu_k * along - turned * sigma
-        _demand(exceeds((1 + e) * (v / uneven) * slowing, drift * longest * slides), "stick")
+        ends = (1 + e) * (v / uneven) * slowing
+        _demand(exceeds(ends, drift.largest() * longest * slides), "stick")
+        if not (exceeds(1, shrink) and exceeds(slides, press)):
+            shrink = _shrinking(given, start, (theta, rate, drift), (weakest, strongest))
+            press = press if exceeds(slides, press) else slides.least()
+    _demand(exceeds(1, shrink), "shrink")
     _demand(exceeds(press, 0), "are pressed back")
-    normal = ((1 + e) * closing / press).largest()
+    # What comes down with v √(W2/W1) at most goes up with so much of v.
+    taken = (uneven + shrink) * v / (1 - shrink)
+    normal, time = (taken / press.least()).largest(), (longest / (1 - shrink)).largest()
     friction = (hold * normal).largest()
     spin = ((arm.largest() + lever.largest() * hold + body.chi) * normal / body.inertia).largest()
-    change = (friction / body.m + lever.largest() * spin + drift * time).largest()
+    change = (friction / body.m + lever.largest() * spin + drift.largest() * time).largest()
     turn = (rate.largest() * time).largest()
     _demand(exceeds(margin, turn) and exceeds(margin, spin), "stay within their margin")
     _demand(sticks or exceeds(abs(start.slip), change), "keep their slip")
@@ -2518,22 +2483,56 @@ def rest_with_couple(given: Given, start: State) -> Rest:
     return Rest(end, middle.widened(middle), zero.widened(friction))
 
 
+def _shrinking(
+    given: Given, start: State, box: tuple[Range, Range, Range], pull: tuple[Range, Range]
+) -> Range:
+    """Return what the impact itself makes of a rate 1 at most, where it ends the slip of a flight.
+
+    From θ, θ′ and the drift in their margins, and the least and the largest pull.
+    """
+    (theta, rate, drift), (weakest, strongest) = box, pull
+    uneven = (strongest / weakest).sqrt()
+    slip = -(drift * between(2 / strongest, 2 / weakest))
+    landing = replace(start, theta=theta, slip=slip, gap_rate=-between(1 / uneven, uneven))
+    assert given.restitution is not None
+    strike = impact
+    if given.resists:
+        # Over the largest rate of the gap θ′ is smallest: what does not stop it there never does.
+        strike, landing = impact_with_couple, replace(landing, rate=rate / start.gap_rate.largest())
+    hit = strike(given.body, landing, given.restitution, given.law)
+    _demand(hit.after.slip.is_zero(), "stick")
+    return hit.after.gap_rate.largest()
+
+
 def _rest_without_rotation(body: Body, start: State, e: Range) -> Rest:
-    """Sum up bounces in which the couple holds the angle: each has e of the gap rate before it."""
-    (s, c), sigma = sine_and_cosine(start.theta), start.slip.sign()
+    """Sum up bounces in which the couple holds the angle: each has e of the gap rate before it.
+
+    On a slope a flight slips by −sin α τ. Friction of the impact after it ends that, or the slip
+    keeps its sign.
+    """
+    _demand(exceeds(1 - e, 0), "shrink")
+    (s, c), moves = sine_and_cosine(start.theta), start.slip.sign()
+    sigma = moves or -body.back.sign()
     _demand(exceeds(body.chi, body.q(s, c, sigma).largest()), "hold the angle")
     whole = start.gap_rate / (1 - e)
     time, normal = 2 * whole / body.down, body.m * (1 + e) * whole
-    friction = -(body.mu_k * sigma * normal)
-    slip = start.slip
-    if sigma:
-        slip = slip + friction / body.m
-        _demand(exceeds(slip * sigma, 0), "keep their slip")
+    flown, rubbed = -(body.back * time), body.mu_k * normal / body.m
+    slip, change = start.slip, flown - rubbed * sigma
+    if not moves and (sigma == 0 or (rubbed - abs(flown)).sign() > 0):
+        _demand(exceeds(body.chi, (body.h * s).largest()), "hold the angle")
+        change = Range(0)
+        friction = -(body.m * flown)
+    else:
+        slip, friction = slip + change, -(body.m * rubbed * sigma)
+        # Whatever comes first of each, a flight or an impact.
+        least = 2 * abs(flown) if moves else Range(0)
+        _demand(exceeds(slip * sigma, least), "keep their slip")
+    far = ((start.slip.largest() + flown.largest() + rubbed.largest()) * time).largest()
     end = replace(
         start,
         time=start.time + time,
         slip=slip,
-        x=start.x.widened((start.slip.largest() * time).largest()),
+        x=start.x.widened(far),
         gap=Range(0),
         gap_rate=Range(0),
     )
@@ -2553,7 +2552,7 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
     So the radius of v does not grow from bounce to bounce. With φ = ω τ and the series C = (cos φ −
     1 + φ²/2)/φ⁴, S = (φ − sin φ)/φ³, Q = (1 − cos φ)/φ², y = 0 gives τ/v = 2/(w + 2 h ω³ τ (c φ C +
     s S)), and with it y′/v = 1 − (w + h ω³ τ (c φ S + s Q)) τ/v and η′/v = −h ω² (s (1 − φ² S) + c
-    φ (1/2 − φ² C)) τ/v.
+    φ (1/2 − φ² C)) τ/v − sin α τ/v.
     """
     body, omega, tau = given.body, start.rate, landing.time - start.time
     assert given.restitution is not None
@@ -2573,6 +2572,7 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
         * (s * (1 - square * third) + c * phi * (1 - 2 * (square * fourth)) / 2)
         * flight
     )
+    slip = slip - body.back * flight
     v = start.gap_rate
     # With rolling resistance it matters when θ′ vanishes, and else only what is added to it.
     fast = omega / v if given.resists else Range(0)
@@ -2583,9 +2583,8 @@ def bounce(given: Given, start: State, landing: State) -> Impact:
         given.law,
     )
     after = hit.after
-    rate = omega + (after.rate - fast) * v
-    if given.resists and after.rate.is_zero():
-        rate = Range(0)
+    stops = given.resists and after.rate.is_zero()
+    rate = Range(0) if stops else omega + hit.spin * v
     after = replace(after, rate=rate, slip=after.slip * v, gap_rate=after.gap_rate * v)
     return replace(hit, after=after, normal=hit.normal * v, friction=hit.friction * v)
 
@@ -2769,7 +2768,8 @@ class Walk:
     def losses(self, run: Followed, end: State) -> None:
         """Add what friction takes in a phase: of a slide that of its slip, and what is left."""
         phase, body = run.phase, self.given.body
-        if phase.mode not in (SLIDING, SKIDDING) and not phase.rotation:
+        rolls = phase.mode == ROLLING and phase.rotation != 0
+        if phase.mode not in (SLIDING, SKIDDING) and not rolls:
             return
         lost = energy(body, phase.start) - energy(body, end)
         if phase.mode == SKIDDING or not phase.rotation:
@@ -2838,7 +2838,9 @@ class Walk:
         if guard == SOLVABLE:
             raise Refused("the slide runs into P = 0")
         if guard == NORMAL:
-            return "normal_force_zero", Next(GLIDING, -state.rate.sign(), {}, 2)
+            turning = state.rate.sign()
+            glide = Next(GLIDING, -turning, {}, 2, turning if self.given.resists else 0)
+            return "normal_force_zero", glide
         if guard == TURNING:
             return TURNING, decide(self.given, state, before=before)
         return "slip", decide(self.given, state, -1 if guard == UP else 1, before=before)
@@ -2878,17 +2880,17 @@ class Walk:
         """Follow bounces one by one, enclose those that remain, and write all of them together."""
         given = self.given
         assert given.restitution is not None
-        if not given.level:
-            raise Refused("bounces on a slope are not proved to settle")
         self.phases.append({"mode": FLIGHT, "direction": 0, **self.rotation(0), "samples": []})
         state, normal, friction = first, Range(0), Range(0)
         while not exceeds(slowest(), state.gap_rate):
             run = self.run(Phase(given, state, FLIGHT, 0, 1))
             if run.end is None or run.guard != GAP:
                 raise Refused("bounces do not settle before the time limit")
+            if exceeds(state.gap_rate, Range.of(LISTED)):
+                raise Refused("bounces too slow to be listed grow again")
             hit = bounce(given, state, run.end)
             state, normal, friction = hit.after, normal + hit.normal, friction + hit.friction
-        rest = (rest_with_couple if given.resists else rest_of_bounces)(given, state)
+        rest = rest_of_bounces(given, state)
         end, following = rest.end, decide(given, rest.end, before=ARRIVED)
         if given.until is not None and not exceeds(given.until, end.time):
             raise Inconclusive("whether bounces settle before the time limit is not decided")

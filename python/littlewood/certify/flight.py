@@ -162,6 +162,7 @@ class Flight:
             * time
             * (self.sin * (1 - phi**2 * third) + self.cos * phi * (arb(0.5) - phi**2 * fourth))
         )
+        slip -= self.body.back * time
         return replace(at, rate=arb(0), slip=slip, gap_rate=-closing)
 
     def landing(self, at: State) -> State:

@@ -17,13 +17,16 @@ from .body import Body, Next, State
 from .model import Model, polynomial
 from .phase import Piece
 
-SLIP, PLANE = "slip", "particle_height"
+SLIP, PLANE, TURNING = "slip", "particle_height", "theta_rate"
 
 
 class Glide:
-    """A glide from a state in a direction; the slip begins with a zero of this order."""
+    """A glide from a state in a direction; the slip begins with a zero of this order.
 
-    def __init__(self, start: State, sigma: int, order: int) -> None:
+    With rolling resistance it ends where the particle is highest, and θ′ = 0.
+    """
+
+    def __init__(self, start: State, sigma: int, order: int, resists: bool) -> None:
         self.start, self.sigma, self.order = start, sigma, order
         sin, cos = start.theta.sin(), start.theta.cos()
         self.sin = sin
@@ -34,6 +37,7 @@ class Glide:
         if not cos + rise * rise / 2 < 1:
             raise Beyond("the particle comes to the top with velocity to spare")
         self.drift = start.slip - (1 + cos) * start.rate
+        self.turns_back = resists and sign(rise, "θ′ of a glide") > 0
         self.root = (rise * rise + 2 * (1 + cos)).sqrt()
         self.whole = rise + self.root
         self.turns = round(float((start.theta / (2 * arb.pi())).mid()))
@@ -50,13 +54,10 @@ class Glide:
             ratio = Model((a.series / b.series).sqrt(), size, radius)
             slip = ((square - self.root) * p * ratio * self.side + self.drift) * self.sigma
             elapsed = self.whole - square
-            yield Piece(
-                arb(0),
-                (radius / 4).mid(),
-                elapsed,
-                {SLIP: slip.without_zero(order), PLANE: -p},
-                self._at(at),
-            )
+            guards = {SLIP: slip.without_zero(order), PLANE: -p}
+            if self.turns_back:
+                guards[TURNING] = square - self.root
+            yield Piece(arb(0), (radius / 4).mid(), elapsed, guards, self._at(at))
             at, order = at + (radius / 4).mid(), 0
         raise Undecided("the end of a glide is not seen")
 

@@ -36,6 +36,8 @@ class _Course:
         self.gap_rate = before.gap_rate
         self.arm, self.lever = body.h * before.theta.sin(), 1 + body.h * before.theta.cos()
         self.normal, self.friction, self.lost, self.work = (arb(0) for _ in range(4))
+        self.spin = arb(0)
+        """What has been added to θ′, without the radius of θ′ itself."""
         self.segments: list[_Segment] = []
         self.begins: list[tuple[Ball, bool]] = []
         """Normal impulses at which segments begin, and whether the rim still comes down there."""
@@ -129,6 +131,7 @@ class _Course:
         self.lost -= work + by * one.friction * (self.slip + slip) / 2
         self.lost -= by * one.couple * (self.rate + rate) / 2
         self.normal, self.friction = self.normal + by, self.friction + one.friction * by
+        self.spin += one.rate * by
         self.rate = arb(0) if zero == "rate" else rate
         self.slip = arb(0) if zero == "slip" else slip
         self.gap_rate = gap_rate
@@ -157,6 +160,18 @@ class _Course:
 
 def impact_resisted(body: Body, before: State, e: Ball, law: str) -> tuple[Impact, Held]:
     """Follow an impact, or a jam, which has no gap rate; and what its last segment holds."""
+    course = _followed(body, before, e, law)
+    evidence = {f"k{k}": one.gap_rate for k, one in enumerate(course.segments, 1)}
+    evidence |= {f"segment_{k}": at for k, (at, _) in enumerate(course.begins[1:], 2)}
+    after = replace(
+        before, rate=course.rate, slip=course.slip, gap=arb(0), gap_rate=course.gap_rate
+    )
+    last = course.segments[-1]
+    hit = Impact(course.case, course.normal, course.friction, course.lost, after, evidence)
+    return hit, Held(last.slips == 0, last.turns == 0)
+
+
+def _followed(body: Body, before: State, e: Ball, law: str) -> _Course:
     course = _Course(body, before)
     while True:
         one = course.next()
@@ -171,15 +186,8 @@ def impact_resisted(body: Body, before: State, e: Ball, law: str) -> tuple[Impac
             continue
         course.move(one, last[0], "", last[1])
         if course.compressed is not None or e.is_zero():
-            break
+            return course
         course.compressed, course.work = (course.normal, -course.work), arb(0)
-    evidence = {f"k{k}": one.gap_rate for k, one in enumerate(course.segments, 1)}
-    evidence |= {f"segment_{k}": at for k, (at, _) in enumerate(course.begins[1:], 2)}
-    after = replace(
-        before, rate=course.rate, slip=course.slip, gap=arb(0), gap_rate=course.gap_rate
-    )
-    hit = Impact(course.case, course.normal, course.friction, course.lost, after, evidence)
-    return hit, Held(one.slips == 0, one.turns == 0)
 
 
 def impact_of_bounce(
@@ -192,9 +200,14 @@ def impact_of_bounce(
     if unit is None:
         return impact_resisted(body, landing, e, law)[0]
     v = start.gap_rate
-    fast = start.rate / v
-    hit, _ = impact_resisted(body, replace(unit, rate=fast), e, law)
-    stops = hit.after.rate.is_zero()
-    hit = replace(hit, after=replace(hit.after, rate=hit.after.rate - fast))
+    course = _followed(body, replace(unit, rate=start.rate / v), e, law)
+    after = replace(
+        unit,
+        rate=arb(0) if course.rate.is_zero() else course.spin,
+        slip=course.slip,
+        gap=arb(0),
+        gap_rate=course.gap_rate,
+    )
+    hit = Impact(course.case, course.normal, course.friction, course.lost, after, {})
     hit = hit.times(v, start.rate)
-    return replace(hit, after=replace(hit.after, rate=arb(0))) if stops else hit
+    return replace(hit, after=replace(hit.after, rate=arb(0))) if course.rate.is_zero() else hit

@@ -11,7 +11,7 @@ from .balls import Ball, Beyond, Undecided, arb, ball, ends, sign
 from .body import Body, Next, State, decide
 from .case import Case
 from .flight import Flight
-from .gliding import PLANE, Glide, decide_massless
+from .gliding import PLANE, TURNING, Glide, decide_massless
 from .impact import Impact, impact
 from .impact_resisted import impact_of_bounce, impact_resisted
 from .phase import TIME, Followed, Piece, follow
@@ -262,13 +262,15 @@ class Walk:
         return self._event("slip" if side else "normal_force_zero", end, following)
 
     def _glide(self, state: State, now: Next) -> tuple[State, Next]:
-        glide = Glide(state, now.direction, now.order)
+        glide = Glide(state, now.direction, now.order, self.body.resists)
         found = self._follow(state.time, glide.pieces())
         end = found.end
         if found.guard == PLANE:
             end = glide.state(arb(0), at_end=True)
         elif found.guard == SLIP:
             end = end.at_rest()
+        elif found.guard == TURNING:
+            end = replace(end, rate=arb(0))
         self._phase(now, state, end, glide.at_time)
         if found.guard == TIME:
             self._end(TIME, end)
@@ -276,7 +278,9 @@ class Walk:
         if found.guard == PLANE:
             self._end("particle_at_plane", end)
             return self._event("particle_at_plane", end, Next("", 0, {}))
-        following = self._decide(end)
+        following = self._decide(end, after=now)
+        if found.guard == TURNING:
+            return self._event(TURNING_POINT, end, following)
         return self._event("stick" if following.mode == "rolling" else "reversal", end, following)
 
     def _turn(self, state: State, now: Next) -> tuple[State, Next]:
@@ -308,6 +312,10 @@ class Walk:
             return self._event(TURNING_POINT, end, self._decide(end, after=now))
         if rolls:
             side = SIDES[found.guard]
+            if side == 0:
+                # η″ and N vanish, and what follows them has the sign of −θ′.
+                glide = Next("gliding", -rotation, {}, 2, rotation)
+                return self._event("normal_force_zero", end, glide)
             return self._event("slip", end, decide_resisted(body, end, -side, held=Held.by(now)))
         return self._end_of_slide(end, now, found.guard)
 
@@ -387,6 +395,9 @@ class Walk:
             hit, held = impact_resisted(body, before, restitution, self.law)
         else:
             hit = impact(body, before, restitution, self.law)
+        if hit.lost.is_zero():
+            # All velocities are known exactly; by definition no impact loses nothing.
+            hit = replace(hit, lost=arb(0, arb(2) ** -200))
         after = hit.after
         self.bouncing = None
         if after.gap_rate.is_zero():
@@ -410,8 +421,8 @@ class Walk:
     def _bounce(self, flight: Flight, bouncing: _Bouncing, e: Ball) -> tuple[State, Next]:
         """Follow a bounce that is not listed, or the rest of them."""
         body, state = self.body, flight.start
-        if not body.is_level:
-            raise Beyond("bounces on a slope are not proved to settle")
+        if state.gap_rate > LISTED:
+            raise Beyond("bounces too slow to be listed grow again")
         rest = rest_of_bounces(body, state, e, self.law)
         if rest is not None:
             return self._settle(bouncing, rest)
@@ -428,7 +439,7 @@ class Walk:
         bouncing.normal += hit.normal
         bouncing.friction += hit.friction
         if not hit.after.gap_rate > 0:
-            raise Undecided("bounces end one by one")
+            raise Undecided("bounces are not seen to settle")
         return hit.after, Next("flight", 0, {}, 1)
 
     def _settle(self, bouncing: _Bouncing, rest: Rest) -> tuple[State, Next]:

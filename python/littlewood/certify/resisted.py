@@ -14,10 +14,11 @@ from .balls import Ball, Beyond, Undecided, arb, sign
 from .body import Body, Next, State, Value
 from .model import Model
 from .phase import Followed
-from .rolling import FRICTION_DOWN, FRICTION_UP
+from .rolling import FRICTION_DOWN, FRICTION_UP, NORMAL
 from .sliding import Slide
 
 ROLLING, SLIDING, SKIDDING, REST = "rolling", "sliding", "skidding", "rest"
+GLIDING = "gliding"
 
 
 class ResistedRoll(Slide):
@@ -38,10 +39,14 @@ class ResistedRoll(Slide):
     def _guards(
         self, sin: Model, cos: Model, u: Model, rate: Model, time: Model, order: int
     ) -> dict[str, Model]:
-        """Return μs N − F and μs N + F, times D_χ/m."""
+        """Return μs N − F and μs N + F, times D_χ/m; of a massless hoop N and μs ∓ F/N."""
         body = self.body
         couple = body.chi * self.rotation
         a, d = sin * body.h, cos * body.h + 1
+        if body.is_massless:
+            # F/N = −(a − ς χ)/d, and both have the factor 1 − θ′².
+            grip, twist = d * body.mu_s, a - couple
+            return {NORMAL: 1 - u, FRICTION_UP: grip + twist, FRICTION_DOWN: grip - twist}
         along, w = a * u + body.back, body.down - cos * u * body.h
         lever = d * body.mass
         normal = (d * lever + body.inertia) * w - a * lever * along
@@ -94,7 +99,7 @@ class Skid:
 def resisted_forces(body: Body, now: Next, state: State) -> tuple[Ball, Ball, Ball]:
     """Return N, F and the couple in a mode with rolling resistance."""
     sigma, rotation = now.direction, now.rotation
-    if now.mode == "flight":
+    if now.mode in ("flight", GLIDING):
         return arb(0), arb(0), arb(0)
     if now.mode in (ROLLING, SLIDING):
         normal, friction = (
@@ -147,10 +152,14 @@ def decide_resisted(
     contact, and goes on holding what it held. Static friction has just given way to this direction,
     if it is not 0.
     """
-    w = sign(body.contact(state.theta, state.rate), "cos α − h cos θ θ′²")
+    # A massless hoop has no flight: where it cannot roll it glides, with the rim at the plane.
+    contact = None if body.is_massless else body.contact(state.theta, state.rate)
+    w = 1 if contact is None else sign(contact, "cos α − h cos θ θ′²")
     if w == 0:
         raise Undecided("cos α − h cos θ θ′² vanishes where a motion begins")
     choice = _Choice(body, state, gives_way, w)
+    if contact is not None:
+        choice.evidence["contact"] = contact
     found = choice.consistent()
     if w < 0 and not (found and held is not None):
         found.append(Next("flight", 0, {}, 2))
@@ -182,7 +191,7 @@ class _Choice:
         self.arm, self.lever = body.h * self.sin, 1 + body.h * self.cos
         self.slips = sign(state.slip, "the slip velocity")
         self.turns = sign(state.rate, "θ′")
-        self.evidence = {"contact": body.contact(state.theta, state.rate)}
+        self.evidence: dict[str, Ball] = {}
 
     def consistent(self) -> list[Next]:
         """Return the modes whose forces and velocities obey their laws.
@@ -254,8 +263,24 @@ class _Choice:
             return None
         return Next(ROLLING, 0, evidence, rotation=rotation)
 
+    def _glide(self, sigma: int, rotation: int) -> Next | None:
+        """Return a glide: N = 0, so that the particle falls and η″ = (1 + c) (1 − θ′²)/s."""
+        side = sign(self.sin, "sin θ")
+        if side == 0:
+            raise Beyond("a glide begins with the particle above or below the centre")
+        if not self.turns and side != rotation:
+            return None
+        if self.slips:
+            return Next(GLIDING, sigma, {}, 0, rotation)
+        presses = sign(1 - self.state.rate * self.state.rate, "1 − θ′²")
+        if presses == 0:
+            raise Beyond("a glide begins without any acceleration of slip")
+        return Next(GLIDING, sigma, {}, 1, rotation) if side * presses == sigma else None
+
     def _slide(self, sigma: int, rotation: int) -> Next | None:
         body = self.body
+        if body.is_massless:
+            return self._glide(sigma, rotation)
         p = body.solvability(self.sin, self.cos, sigma, rotation)
         side = "" if self.slips else "_positive" if sigma > 0 else "_negative"
         evidence = self._seen({"solvability" + side: p})
