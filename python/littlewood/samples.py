@@ -36,6 +36,8 @@ class Samples(Mapping[str, Any]):
         Accelerations θ″ in g/R and η″ in g.
     normal, friction : ndarray
         Contact forces N and F, m2 g.
+    couple : ndarray
+        Couple M of rolling resistance, m2 g R, positive as θ″ is.
     gap, gap_rate : ndarray
         Distance of the rim from the plane, R, and its rate, √(gR).
     energy : ndarray

@@ -102,6 +102,26 @@ fn every_value_is_there_in_si_units() {
 }
 
 #[test]
+fn the_couple_of_rolling_resistance_is_in_newton_metres() {
+    let document = json(&with(
+        "simulate",
+        &["--rolling-resistance-m", "0.05", "--samples", "40"],
+    ));
+    let mut turning = 0;
+    for sample in document["samples"].as_array().unwrap() {
+        let [couple, normal, rate] =
+            ["couple", "normal", "theta_rate"].map(|name| number(&sample[name]));
+        if rate != 0.0 {
+            assert_close(couple, -rate.signum() * 0.05 * normal, 1e-14);
+            turning += usize::from(normal > 0.0);
+        }
+        // Weight m2 g = 8 N, radius 1 m.
+        assert_close(number(&sample["si"]["couple_n_m"]), 8.0 * couple, 1e-14);
+    }
+    assert!(turning > 10, "{turning}");
+}
+
+#[test]
 fn a_time_limit_in_seconds_stops_the_motion_there() {
     let document = json(&with(
         "simulate",
@@ -178,7 +198,7 @@ fn the_page_and_the_rows_show_si_units() {
     let mut table = Csv::read(&text(&with("simulate", &samples)));
     let si = table.columns.split_off(plain.len());
     assert_eq!(table.columns, plain);
-    assert_eq!((si.len(), si[0].as_str()), (17, "time_s"));
+    assert_eq!((si.len(), si[0].as_str()), (18, "time_s"));
 }
 
 #[test]

@@ -858,6 +858,7 @@ fn a_motion_that_ends_where_it_begins_has_its_start_as_a_sample() {
         "mode",
         "normal",
         "friction",
+        "couple",
         "theta_acceleration",
         "slip_acceleration",
     ] {

@@ -104,7 +104,9 @@ fn samples(hash: &mut Hash, phase: &Phase) {
 }
 
 fn sample(hash: &mut Hash, sample: &Sample) {
-    for column in SampleColumn::ALL {
+    // No motion of a block has rolling resistance.
+    let columns = SampleColumn::ALL.into_iter();
+    for column in columns.filter(|column| *column != SampleColumn::Couple) {
         hash.number(column.of(sample).number());
     }
 }

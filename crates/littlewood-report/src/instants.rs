@@ -134,7 +134,7 @@ fn before(jam: &Transition, after: Sample) -> Sample {
     sample.state = jam.before;
     sample.direction = None;
     (sample.theta_acceleration, sample.slip_acceleration) = (f64::NAN, f64::NAN);
-    (sample.normal, sample.friction) = (f64::NAN, f64::NAN);
+    (sample.normal, sample.friction, sample.couple) = (f64::NAN, f64::NAN, f64::NAN);
     sample.gap_rate = 0.0;
     sample.energy += jam.impact.map_or(0.0, |impact| impact.energy_lost());
     sample

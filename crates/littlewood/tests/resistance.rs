@@ -87,6 +87,7 @@ impl Comparison {
         for (key, value) in [
             ("normal", ours.normal),
             ("friction", ours.friction),
+            ("couple", ours.couple),
             ("energy", ours.energy),
         ] {
             self.close(&format!("{what} {key}"), value, &theirs[key]);

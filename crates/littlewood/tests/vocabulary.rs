@@ -770,6 +770,7 @@ fn units_are_the_powers_of_mass_length_and_gravity() {
         (Dimension::Acceleration, g),
         (Dimension::Force, m * g),
         (Dimension::Energy, m * g * r),
+        (Dimension::Moment, m * g * r),
         (Dimension::Impulse, m * (g * r).sqrt()),
         (Dimension::Inertia, m * r * r),
     ] {

@@ -144,6 +144,7 @@ export const SAMPLE_COLUMNS = [
   'slip_acceleration',
   'normal',
   'friction',
+  'couple',
   'gap',
   'gap_rate',
   'energy',
@@ -175,6 +176,7 @@ export const COLUMN_ROWS = {
   slip_acceleration: { longName: 'acceleration of the slip', signs: { dimensionless: 'η″', si: 'η″' }, units: { dimensionless: 'g', si: 'm/s²' } },
   normal: { longName: 'normal force', signs: { dimensionless: 'N', si: 'N' }, units: { dimensionless: 'm₂g', si: 'N' } },
   friction: { longName: 'friction force', signs: { dimensionless: 'F', si: 'F' }, units: { dimensionless: 'm₂g', si: 'N' } },
+  couple: { longName: 'couple of rolling resistance', signs: { dimensionless: 'M', si: 'M' }, units: { dimensionless: 'm₂gR', si: 'N m' } },
   gap: { longName: 'distance of the rim from the plane', signs: { dimensionless: 'gap', si: 'gap' }, units: { dimensionless: 'R', si: 'm' } },
   gap_rate: { longName: 'rate of the gap', signs: { dimensionless: 'gap′', si: 'd gap/dt' }, units: { dimensionless: '√(gR)', si: 'm/s' } },
   energy: { longName: 'kinetic and potential energy', signs: { dimensionless: 'E', si: 'E' }, units: { dimensionless: 'm₂gR', si: 'J' } },
@@ -426,4 +428,4 @@ export const VIEW_FIRST = {
 } as const satisfies Record<ViewKey, string>;
 
 /** What a core of the same version says of the order of names. */
-export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k rolling_resistance slope theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k rolling_resistance_m slope theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight rest skidding; leaves_at_once lifts_off_later rolls_forever repeats_forever slips_forever in_contact particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed rests';
+export const BOUNDARY = 'mass_ratio offset inertia mu_s mu_k rolling_resistance slope theta theta_rate slip gap_rate x time; disc_mass_kg particle_mass_kg radius_m offset_m inertia_kg_m2 gravity_m_per_s2 mu_s mu_k rolling_resistance_m slope theta theta_rate_rad_per_s slip_m_per_s gap_rate_m_per_s x_m time_s; time mode direction theta theta_rate slip x theta_acceleration slip_acceleration normal friction couple gap gap_rate energy centre_y mass_centre_x mass_centre_y particle_x particle_y; rolling sliding gliding flight rest skidding; leaves_at_once lifts_off_later rolls_forever repeats_forever slips_forever in_contact particle_at_plane particle_at_bottom particle_at_top painleve unresolved invalid not_computed rests';

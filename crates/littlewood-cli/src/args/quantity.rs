@@ -34,6 +34,7 @@ fn value_name(quantity: Quantity) -> String {
         Dimension::Velocity => "VELOCITY",
         Dimension::Force => "FORCE",
         Dimension::Energy => "ENERGY",
+        Dimension::Moment => "MOMENT",
         Dimension::Impulse => "IMPULSE",
         Dimension::Inertia => "INERTIA",
     };

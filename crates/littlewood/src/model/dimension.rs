@@ -36,6 +36,8 @@ pub enum Dimension {
     Force,
     /// Energy m2 g R.
     Energy,
+    /// Moment of a force m2 g R.
+    Moment,
     /// Impulse m2 √(gR).
     Impulse,
     /// Moment of inertia m2 R².
@@ -86,6 +88,7 @@ impl Dimension {
             Self::Acceleration => ([0, 0, 2], ["g", "g"], ["m/s^2", "m/s²", "_m_per_s2"]),
             Self::Force => ([2, 0, 2], ["m2 g", "m₂g"], ["N", "N", "_n"]),
             Self::Energy => ([2, 2, 2], ["m2 g R", "m₂gR"], ["J", "J", "_j"]),
+            Self::Moment => ([2, 2, 2], ["m2 g R", "m₂gR"], ["N m", "N m", "_n_m"]),
             Self::Impulse => (
                 [2, 1, 1],
                 ["m2 sqrt(g R)", "m₂√(gR)"],

@@ -29,7 +29,7 @@ pub(crate) use self::flight::{FlightExtent, TakeOff};
 pub(crate) use self::gliding::{GlideEntry, GlidingEnd};
 pub(crate) use self::resisted::{ResistedBudget, ResistedEnd, RollingSeries};
 pub(crate) use self::rolling::{Levels, MasslessLimit, Stiction, static_friction_holds};
-pub(crate) use self::sample::{Instant, Sample};
+pub(crate) use self::sample::{Instant, Sample, couple_of_turning};
 pub(crate) use self::sliding::{
     Entry, ForceRounding, Onset, PhasePoint, SlideBudget, SlideSeries, SlidingEnd, StaticLimit,
     TRUNCATION_TOLERANCE,

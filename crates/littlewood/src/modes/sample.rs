@@ -22,6 +22,8 @@ pub struct Sample {
     pub normal: f64,
     /// Friction force F/(m2 g), positive along E1.
     pub friction: f64,
+    /// Couple M/(m2 g R) of rolling resistance, positive as θ″ is; zero without resistance.
+    pub couple: f64,
     /// Distance of the rim from the plane; zero in contact.
     pub gap: f64,
     /// Rate of the gap; zero in contact.
@@ -64,7 +66,18 @@ pub(crate) struct Instant {
     pub(crate) direction: Option<SlipDirection>,
     pub(crate) accelerations: Accelerations,
     pub(crate) forces: ContactForces,
+    pub(crate) couple: f64,
     pub(crate) clearance: Clearance,
+}
+
+/// The couple −ς χ N of a hoop that turns, from ς χ; zero without resistance, wherever N may be
+/// infinite.
+pub(crate) fn couple_of_turning(resistance: f64, normal: f64) -> f64 {
+    if resistance == 0.0 {
+        0.0
+    } else {
+        -resistance * normal
+    }
 }
 
 impl Instant {
@@ -87,6 +100,7 @@ impl Instant {
             slip_acceleration: self.accelerations.slip,
             normal: self.forces.normal,
             friction: self.forces.friction,
+            couple: self.couple,
             gap,
             gap_rate,
             energy: energy(hoop, &state, gap, gap_rate),

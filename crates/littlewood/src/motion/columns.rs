@@ -38,22 +38,24 @@ named! {
         Normal = 9, "normal" => (Some(Dimension::Force), "N", "normal force");
         /// Friction force F.
         Friction = 10, "friction" => (Some(Dimension::Force), "F", "friction force");
+        /// Couple M of rolling resistance.
+        Couple = 11, "couple" => (Some(Dimension::Moment), "M", "couple of rolling resistance");
         /// Gap between the rim and the plane.
-        Gap = 11, "gap" => (Some(Dimension::Length), "gap", "distance of the rim from the plane");
+        Gap = 12, "gap" => (Some(Dimension::Length), "gap", "distance of the rim from the plane");
         /// Rate of the gap.
-        GapRate = 12, "gap_rate" => (Some(Dimension::Velocity), "gap′", "rate of the gap");
+        GapRate = 13, "gap_rate" => (Some(Dimension::Velocity), "gap′", "rate of the gap");
         /// Energy E (2.8).
-        Energy = 13, "energy" => (Some(Dimension::Energy), "E", "kinetic and potential energy");
+        Energy = 14, "energy" => (Some(Dimension::Energy), "E", "kinetic and potential energy");
         /// Distance of the geometric centre from the plane.
-        CentreY = 14, "centre_y" => (Some(Dimension::Length), "y", "distance of the geometric centre from the plane");
+        CentreY = 15, "centre_y" => (Some(Dimension::Length), "y", "distance of the geometric centre from the plane");
         /// Position of the mass centre along the plane.
-        MassCentreX = 15, "mass_centre_x" => (Some(Dimension::Length), "x̄", "position of the mass centre along the plane");
+        MassCentreX = 16, "mass_centre_x" => (Some(Dimension::Length), "x̄", "position of the mass centre along the plane");
         /// Distance of the mass centre from the plane.
-        MassCentreY = 16, "mass_centre_y" => (Some(Dimension::Length), "ȳ", "distance of the mass centre from the plane");
+        MassCentreY = 17, "mass_centre_y" => (Some(Dimension::Length), "ȳ", "distance of the mass centre from the plane");
         /// Position of the particle along the plane.
-        ParticleX = 17, "particle_x" => (Some(Dimension::Length), "x₂", "position of the particle along the plane");
+        ParticleX = 18, "particle_x" => (Some(Dimension::Length), "x₂", "position of the particle along the plane");
         /// Distance of the particle from the plane.
-        ParticleY = 18, "particle_y" => (Some(Dimension::Length), "y₂", "distance of the particle from the plane");
+        ParticleY = 19, "particle_y" => (Some(Dimension::Length), "y₂", "distance of the particle from the plane");
     }
 }
 
@@ -120,6 +122,7 @@ impl SampleColumn {
             Self::SlipAcceleration => sample.slip_acceleration,
             Self::Normal => sample.normal,
             Self::Friction => sample.friction,
+            Self::Couple => sample.couple,
             Self::Gap => sample.gap,
             Self::GapRate => sample.gap_rate,
             Self::Energy => sample.energy,

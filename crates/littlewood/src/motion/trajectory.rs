@@ -299,6 +299,7 @@ impl Trajectory {
                 normal: f64::NAN,
                 friction: f64::NAN,
             },
+            couple: f64::NAN,
             clearance: Clearance::NONE,
         };
         self.phases.is_empty().then(|| {

@@ -166,6 +166,7 @@ impl Origin {
             slip_acceleration: self.force(sample.slip_acceleration),
             normal: self.force(sample.normal),
             friction: self.force(sample.friction),
+            couple: self.force(sample.couple),
             gap_rate: self.velocity(sample.gap_rate),
             energy: self.energy(sample.energy),
             ..sample

@@ -296,6 +296,7 @@ impl Flight {
                 slip: -self.h * libm::sin(state.theta) * rate * rate - self.pull,
             },
             forces: ContactForces::NONE,
+            couple: 0.0,
             clearance: Clearance { gap, gap_rate },
         };
         // The energy of the start: at an angle of many turns, the rounding of θ times the rate

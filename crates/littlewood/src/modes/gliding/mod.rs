@@ -263,6 +263,7 @@ impl Gliding {
                 state.theta.angle(),
             ),
             forces: ContactForces::NONE,
+            couple: 0.0,
             clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)

@@ -1,5 +1,6 @@
 //! Skidding and rest, in closed form: rolling resistance holds the angle.
 
+use crate::math::number::Number;
 use crate::mechanics::{Accelerations, Clearance, ContactForces, HeldLaw};
 use crate::model::{Heavy, Hoop, Mode, SlipDirection, State};
 use crate::modes::{Instant, Sample};
@@ -61,6 +62,7 @@ impl Skidding {
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
         let mass = self.law.body.mass;
+        let couple = mass * self.law.arm_of_skid(state.theta.angle());
         let instant = Instant {
             mode: Mode::Skidding,
             direction: Some(self.direction),
@@ -72,6 +74,7 @@ impl Skidding {
                 normal: mass,
                 friction: -self.law.friction * mass,
             },
+            couple,
             clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)
@@ -104,6 +107,7 @@ impl Rest {
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
         let body = &self.law.body;
+        let couple = body.mass * self.law.arm_of_rest(state.theta.angle());
         let instant = Instant {
             mode: Mode::Rest,
             direction: None,
@@ -115,6 +119,7 @@ impl Rest {
                 normal: body.mass,
                 friction: body.mass * body.pull(),
             },
+            couple,
             clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)

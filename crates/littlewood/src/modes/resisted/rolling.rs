@@ -7,7 +7,9 @@ use crate::math::trig::{Angle, WholeTurns, less_a_turn, split_turns, with_turns}
 use crate::mechanics::{Accelerations, Clearance, ResistedRollingLaw};
 use crate::model::{Heavy, Hoop, MAX_TIME, Mode, RotationDirection, SlipDirection, State};
 use crate::modes::sliding::{MIN_RELATIVE_STEP, max_step};
-use crate::modes::{Instant, Margin, PhasePoint, Recurrence, RollingLimit, Sample, Undecided};
+use crate::modes::{
+    Instant, Margin, PhasePoint, Recurrence, RollingLimit, Sample, Undecided, couple_of_turning,
+};
 
 use super::series::RollingSeries;
 
@@ -444,6 +446,7 @@ impl ResistedRolling {
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
         let (angle, u) = (Angle::of(state.theta), state.theta_rate * state.theta_rate);
+        let forces = self.law.forces(angle, u);
         let instant = Instant {
             mode: Mode::Rolling,
             direction: None,
@@ -451,7 +454,8 @@ impl ResistedRolling {
                 theta: self.law.acceleration(angle, u),
                 slip: 0.0,
             },
-            forces: self.law.forces(angle, u),
+            forces,
+            couple: couple_of_turning(self.law.resistance, forces.normal),
             clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)

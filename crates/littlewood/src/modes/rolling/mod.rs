@@ -80,6 +80,7 @@ impl Rolling {
                 slip: 0.0,
             },
             forces: self.law.forces(state.theta, state.theta_rate),
+            couple: 0.0,
             clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)

@@ -10,7 +10,7 @@ use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{Angle, WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Heavy, Hoop, MAX_TIME, Mode, RotationDirection, SlipDirection, State};
-use crate::modes::{Instant, Margin, Recurrence, Sample, Undecided};
+use crate::modes::{Instant, Margin, Recurrence, Sample, Undecided, couple_of_turning};
 
 use super::leap::{LeapLimits, MIN_LEAP_TURNS, ProvedTurns, section_of};
 use super::onset::Onset;
@@ -1002,11 +1002,13 @@ impl Sliding {
     }
 
     pub(crate) fn sample(&self, hoop: &Hoop, state: State) -> Sample {
+        let forces = self.law.forces(state.theta, state.theta_rate);
         let instant = Instant {
             mode: Mode::Sliding,
             direction: Some(self.direction),
             accelerations: self.law.accelerations(state.theta, state.theta_rate),
-            forces: self.law.forces(state.theta, state.theta_rate),
+            forces,
+            couple: couple_of_turning(self.law.resistance, forces.normal),
             clearance: Clearance::NONE,
         };
         instant.sample(hoop, state)
