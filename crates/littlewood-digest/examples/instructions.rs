@@ -42,7 +42,7 @@ struct Work {
     limits: fn() -> Limits,
 }
 
-const WORKS: [Work; 13] = [
+const WORKS: [Work; 15] = [
     Work {
         name: "figure-3",
         method: Method::Prepared,
@@ -145,10 +145,28 @@ const WORKS: [Work; 13] = [
         starts: || plane(16),
         limits: Limits::default,
     },
+    Work {
+        name: "resistance",
+        method: Method::Prepared,
+        hoop: resisted,
+        starts: || vec![Start::at(FRAC_PI_2, 2.0); 1_000],
+        limits: Limits::default,
+    },
+    Work {
+        name: "resistance-map",
+        method: Method::Prepared,
+        hoop: resisted,
+        starts: || plane(60),
+        limits: || Limits::until(50.0),
+    },
 ];
 
 fn figure_2() -> Result<Hoop, littlewood::ParameterError> {
     Hoop::equal_masses(0.5, 0.4)
+}
+
+fn resisted() -> Result<Hoop, littlewood::ParameterError> {
+    Hoop::new(figure_2()?.parameters().with_rolling_resistance(0.05))
 }
 
 fn sloping(slope: f64) -> Result<Hoop, littlewood::ParameterError> {

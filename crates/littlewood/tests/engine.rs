@@ -141,17 +141,61 @@ fn bodies_that_cannot_be_prepared_are_simulated() {
     }
 }
 
+/// Random hoops and starts, with coefficients of every size, and often at rest or next to where the
+/// hoop begins to turn.
 #[test]
-fn a_hoop_with_rolling_resistance_is_simulated() {
-    for case in 0..200 {
-        let (hoop, start) = Draw::of_case(31, 0, case).resisted_in_contact();
-        let engine = Engine::new(&hoop);
-        assert!(engine.is_exact() || hoop.rolling_resistance() == 0.0);
-        if engine.is_exact() {
-            let limits = Limits::until(20.0);
-            let ours = engine.summary(start, limits).expect("a valid start");
-            let theirs = hoop.simulate(start, limits).expect("a valid start");
-            assert_eq!(check(&ours, &theirs.summary(), 0.0), Ok(()));
+fn rolling_resistance_has_the_motions_of_the_simulation() {
+    for number in 0..3_000 {
+        let (hoop, start) = Draw::of_case(31, 0, number).resisted_in_contact();
+        if is_resolved(&start) {
+            agree(&hoop, &[start]).unwrap_or_else(|difference| panic!("{number}: {difference}"));
+        }
+    }
+}
+
+/// The hoop of the paper, with coefficients from where it swings a thousand times to where it rests
+/// anywhere.
+#[test]
+fn the_figure_2_plane_with_rolling_resistance_has_the_motions_of_the_simulation() {
+    let figure_2 = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
+    let starts: Vec<Start> = random_starts(200).collect();
+    for exponent in -16..=2 {
+        let chi = libm::pow(10.0, 0.25 * f64::from(exponent));
+        let parameters = figure_2.parameters().with_rolling_resistance(chi);
+        let hoop = Hoop::new(parameters).expect("a valid hoop");
+        agree(&hoop, &starts).unwrap_or_else(|difference| panic!("{chi}: {difference}"));
+    }
+}
+
+/// What is left is computed for much longer, which no test of answers would notice.
+#[test]
+fn little_rolling_resistance_is_left_to_the_simulation() {
+    let figure_2 = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");
+    for chi in [0.01, 0.05, 0.2] {
+        let parameters = figure_2.parameters().with_rolling_resistance(chi);
+        let engine = Engine::new(&Hoop::new(parameters).expect("a valid hoop"));
+        assert!(engine.is_prepared() && !engine.is_exact());
+        for start in random_starts(2_000) {
+            engine
+                .summary(start, Limits::until(50.0))
+                .expect("a valid start");
+        }
+        let left: u64 = engine.fallbacks().map(|(_, count)| count).sum();
+        assert!(left < 20, "{chi}: {left}");
+    }
+}
+
+/// On the whole accepted range of hoops and starts.
+#[test]
+fn any_hoop_with_rolling_resistance_has_the_motions_of_the_simulation() {
+    let limits = |start: &Start| Limits::until(start.time + 10.0).with_transitions(30);
+    for number in 0..1_000 {
+        let mut draw = Draw::of_case(32, 4, number);
+        let (hoop, start) = draw.heavy_motion();
+        let hoop = draw.resisted(&hoop);
+        if is_resolved(&start) {
+            agree_to(limits, &hoop, &[start])
+                .unwrap_or_else(|difference| panic!("{number}: {difference}"));
         }
     }
 }

@@ -46,8 +46,8 @@ impl EngineBuilder {
     /// Interpolates chains of slips: a motion that slips out of rolling a thousand times takes as
     /// long as one of some twenty phases, or of 128 where fewer than 4,096 starts are expected, for
     /// which maps of short motions would not pay. It has no effect on an engine for few starts,
-    /// without kinetic friction, on a hoop that is simulated, or on motions that are limited to
-    /// fewer than 256 transitions.
+    /// without kinetic friction, with rolling resistance, on a hoop that is simulated, or on motions
+    /// that are limited to fewer than 256 transitions.
     ///
     /// The promise is weaker. The map from one slip to the next is interpolated between starts that
     /// were computed, and accepted where the starts halfway between them agree: nothing is proved

@@ -9,6 +9,7 @@ use core::num::NonZeroU32;
 use crate::math::trig::{Angle, sincos};
 use crate::model::{Heavy, State};
 use crate::modes::Flight;
+use crate::walk::StateDifference;
 
 use super::slide::SIGN_TOLERANCE;
 
@@ -72,6 +73,15 @@ pub(super) enum ErrorBound {
     Lost,
 }
 
+/// What the rounding of θ′² moves a turning point by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TurningPointError {
+    /// The size of θ′² on the way.
+    pub(super) u: f64,
+    /// dθ′²/dθ at the turning point.
+    pub(super) u_slope: f64,
+}
+
 /// A number by whose sign a motion is decided.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct DecisiveNumber {
@@ -104,6 +114,18 @@ impl ErrorBound {
 
     pub(super) const fn is_lost(&self) -> bool {
         matches!(self, Self::Lost)
+    }
+
+    /// By how much the state may differ from that of the simulation; none where it does not, or
+    /// what it decides is discarded.
+    pub(super) fn difference(&self) -> Option<StateDifference> {
+        match self {
+            Self::Exact | Self::Simulated(_) | Self::Lost => None,
+            Self::Within(error) => Some(StateDifference {
+                theta: 2.0 * error.theta,
+                rate: 2.0 * error.rate,
+            }),
+        }
     }
 
     fn max(&self) -> f64 {
@@ -166,6 +188,18 @@ impl ErrorBound {
             rate: error,
             gap_rate: 0.0,
         });
+    }
+
+    /// Adds the error of a turning point at the end of a phase, whose own is added.
+    pub(super) fn add_turning_point(&mut self, turn: TurningPointError) {
+        if let Self::Within(error) = *self {
+            let theta = error.theta * (1.0 + turn.u / turn.u_slope.abs());
+            *self = if theta < MAX_ERROR {
+                Self::Within(StateError { theta, ..error })
+            } else {
+                Self::Lost
+            };
+        }
     }
 
     /// Adds the error of a flight and of the impact behind it: how its end moves with the angle and
@@ -251,14 +285,14 @@ struct Change {
 }
 
 impl ErrorModel {
-    pub(super) fn new(body: &Heavy, mu_s: f64) -> Self {
+    pub(super) fn new(body: &Heavy, mu_s: f64, chi: f64) -> Self {
         let amplification = (body.mass / body.inertia).sqrt();
         let phase = PHASE_ROUNDING * (AMPLIFICATION_PART * amplification).max(1.0);
         Self {
             h: body.h,
             phase,
             contact: phase * (1.0 + mu_s),
-            impact: 1.0 + amplification,
+            impact: (1.0 + amplification) * (1.0 + chi),
             pull: body.tilt.abs(),
         }
     }
@@ -276,7 +310,7 @@ mod tests {
     fn a_flight_from_an_exact_state_has_the_rounding_of_a_phase() {
         let hoop = Hoop::equal_masses(0.5, 0.4).expect("a hoop");
         let body = hoop.rigid_body();
-        let model = ErrorModel::new(&body, hoop.mu_s());
+        let model = ErrorModel::new(&body, hoop.mu_s(), 0.0);
         for (theta, theta_rate) in [(0.5, 1.0), (-2.0, -0.3), (1.0, 0.0)] {
             let start = Start::at(theta, theta_rate).state();
             let flight = Flight::new(&body, start, TakeOff::Rising { gap_rate: 0.5 });

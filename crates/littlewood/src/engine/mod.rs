@@ -3,7 +3,8 @@
 //! The walk along the automaton is that of [`crate::walk`], as for [`Hoop::simulate`]; the phases
 //! are other solutions of the same equations ([`model`]): slides are followed in the angle
 //! ([`slide`]), those out of rolling interpolated ([`slip_slides`]), rolling along its orbit
-//! ([`roll`]). What depends on the hoop alone is kept, and chains of slips are passed by whole links
+//! ([`roll`]), with rolling resistance in the angle, too ([`resisted`]), with half swings that are
+//! interpolated ([`half_swings`]). What depends on the hoop alone is kept, and chains of slips are passed by whole links
 //! ([`chain`]). A phase that these do not resolve to rounding is left to the solvers of the
 //! simulation, for a reason that is counted ([`Fallback`]).
 
@@ -12,11 +13,13 @@ mod chain;
 mod duration;
 mod error_bound;
 mod fallback;
+mod half_swings;
 mod interpolant;
 mod jump;
 mod model;
 mod orbit;
 mod quadrature;
+mod resisted;
 mod roll;
 mod slide;
 mod slip_slides;
@@ -123,8 +126,9 @@ impl Engine {
 
     fn with_slip_maps(self, phases_before_links: u32) -> Self {
         // Without kinetic friction slides come back to the limit of static friction exactly, which
-        // the walk decides by symmetry.
-        let model = self.model.as_ref().filter(|_| self.hoop.mu_k() > 0.0);
+        // the walk decides by symmetry. With rolling resistance there are few slips.
+        let is_chained = self.hoop.mu_k() > 0.0 && self.hoop.rolling_resistance() == 0.0;
+        let model = self.model.as_ref().filter(|_| is_chained);
         Self {
             slip_maps: model.map(|model| SlipMaps::new(&self.hoop, model)),
             phases_before_links,
@@ -135,7 +139,6 @@ impl Engine {
     /// An engine for few starts. Nothing is prepared.
     fn for_few_starts(hoop: &Hoop) -> Self {
         let resolves_slips = hoop.mu_s() == 0.0 || hoop.mu_s() >= MIN_FRICTION;
-        let turns_freely = hoop.rolling_resistance() == 0.0;
         let is_computed = |Heavy {
                                mass,
                                h,
@@ -143,8 +146,7 @@ impl Engine {
                                tilt,
                                ..
                            }: Heavy| {
-            turns_freely
-                && resolves_slips
+            resolves_slips
                 && h >= MIN_IMBALANCE
                 && inertia >= MIN_INERTIA * mass
                 && tilt.abs() <= MAX_TILT

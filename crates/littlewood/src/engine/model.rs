@@ -1,16 +1,21 @@
 //! The equations and tables of one hoop, and its phases from them.
 
+use std::sync::OnceLock;
+
+use crate::math::trig::Angle;
 use crate::mechanics::solvability::is_solvable;
 use crate::mechanics::{RollingLaw, SlidingLaw};
 use crate::model::{Body, Heavy, Hoop, SlipDirection, weight_of_slides};
 use crate::modes::rolling::HalfAngleOrbit;
 
-use super::error_bound::ErrorModel;
+use super::error_bound::{ErrorModel, TurningPointError};
 use super::fallback::{Fallback, FallbackCounts};
+use super::half_swings::{HalfSwing, HalfSwings};
 use super::orbit::OrbitPoint;
 use super::roll::{self, MarginTables, Margins, RollEnd, margins_of};
 use super::slide::{
-    MotionFrame, SlideEnd, SlideEvent, SlidePoint, SlideProblem, SlideTables, solve_slide,
+    MotionFrame, ResistedRollEnd, RollStart, RollTables, SlideEnd, SlideEvent, SlideLaws,
+    SlidePoint, SlideProblem, SlideTables, solve_slide,
 };
 use super::slip_slides::{SlideSource, SlipSlides};
 use super::slope::{self, SlopeTables};
@@ -19,14 +24,14 @@ use super::state::EngineState;
 #[derive(Clone, Debug)]
 pub(super) struct HoopModel {
     pub(super) body: Heavy,
-    /// For σ = −1 and σ = +1, as they are and mirrored.
-    sliding: [[SlidingLaw; 2]; 2],
+    sliding: SlideLaws,
     pub(super) rolling: RollingLaw,
     pub(super) margins: Margins,
     pub(super) error_model: ErrorModel,
     /// What a unit of the length of a slide counts.
     pub(super) slide_weight: f64,
-    /// P > 0 at every angle, with μs, too: then never more than one motion is consistent.
+    /// P > 0 at every angle, with μs, too: then never more than one motion is consistent. False with
+    /// rolling resistance, of which this says nothing.
     pub(super) is_solvable: bool,
     slide_tables: SlideTables,
     /// Slides out of rolling; none where they are followed.
@@ -34,6 +39,9 @@ pub(super) struct HoopModel {
     margin_tables: MarginTables,
     /// Rolling to positive and to negative angles on a slope.
     slope_tables: Option<Box<[SlopeTables; 2]>>,
+    /// Rolling with resistance.
+    resisted_rolling: Option<Box<RollTables>>,
+    half_swings: OnceLock<Option<Box<HalfSwings>>>,
     pub(super) fallbacks: FallbackCounts,
 }
 
@@ -44,6 +52,8 @@ const MIN_SQUARE_OF_RATE: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlideStart {
     pub(super) slip: SlipDirection,
+    /// The direction of rotation, with rolling resistance.
+    pub(super) towards: Option<f64>,
     /// Whether η′ = η″ = 0.
     pub(super) from_limit: bool,
     /// Whether it begins where rolling slips, and slides that do are interpolated.
@@ -57,31 +67,51 @@ impl HoopModel {
         let Body::Heavy(body) = hoop.body() else {
             return None;
         };
+        let chi = hoop.rolling_resistance();
         Some(Self {
             body,
-            sliding: [body, body.mirrored()].map(|body| {
-                SlipDirection::ALL
-                    .map(|direction| SlidingLaw::of_body(body, hoop.mu_k(), direction))
+            // 0 − χ is not −0.
+            sliding: [chi, 0.0 - chi].map(|resistance| {
+                [body, body.mirrored()].map(|body| {
+                    SlipDirection::ALL.map(|direction| SlidingLaw {
+                        resistance,
+                        ..SlidingLaw::of_body(body, hoop.mu_k(), direction)
+                    })
+                })
             }),
             rolling: RollingLaw::of(hoop),
             margins: margins_of(hoop, 1.0)?,
-            error_model: ErrorModel::new(&body, hoop.mu_s()),
+            error_model: ErrorModel::new(&body, hoop.mu_s(), chi),
             slide_weight: weight_of_slides(hoop),
-            is_solvable: is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
+            is_solvable: chi == 0.0 && is_solvable(&body, hoop.mu_s().max(hoop.mu_k())),
             slide_tables: SlideTables::default(),
             slip_slides: SlipSlides::are_interpolated(hoop).then(SlipSlides::default),
             margin_tables: MarginTables::default(),
             slope_tables: (hoop.slope() != 0.0)
                 .then(|| Box::new([1.0, -1.0].map(|heading| SlopeTables::new(hoop, heading)))),
+            resisted_rolling: (chi > 0.0).then(|| Box::new(RollTables::new(hoop, &body))),
+            half_swings: OnceLock::new(),
             fallbacks: FallbackCounts::default(),
         })
     }
 
+    /// The equations of a slide that turns to positive angles. Only rolling resistance makes those to
+    /// negative ones differ, and they only in θ″ and η″.
     pub(super) const fn sliding(&self, direction: SlipDirection) -> &SlidingLaw {
         match direction {
-            SlipDirection::Negative => &self.sliding[0][0],
-            SlipDirection::Positive => &self.sliding[0][1],
+            SlipDirection::Negative => &self.sliding[0][0][0],
+            SlipDirection::Positive => &self.sliding[0][0][1],
         }
+    }
+
+    /// The same in a direction of rotation.
+    pub(super) const fn sliding_towards(
+        &self,
+        direction: SlipDirection,
+        heading: f64,
+    ) -> &SlidingLaw {
+        let is_against = (heading < 0.0) as usize;
+        &self.sliding[is_against][0][direction.index()]
     }
 
     /// The orbit of rolling through a state, in the direction of motion.
@@ -134,6 +164,47 @@ impl HoopModel {
         }
     }
 
+    /// The end of the rolling with resistance that begins at a state, in the direction of motion.
+    pub(super) fn roll_resisted(
+        &self,
+        start: &EngineState,
+        heading: f64,
+        time_left: f64,
+        uses_tables: bool,
+    ) -> Option<Result<ResistedRollEnd, Fallback>> {
+        let tables = self.resisted_rolling.as_ref()?;
+        Some(tables.solve(&RollStart {
+            mirror: heading,
+            theta: heading * start.state.theta,
+            angle: start.angle.mirrored_by(heading),
+            u: start.u(),
+            time_left,
+            uses_tables,
+        }))
+    }
+
+    /// The half swing that begins at rest, if it is interpolated.
+    pub(super) fn half_swing(&self, start: &EngineState, heading: f64) -> Option<HalfSwing> {
+        let tables = self.resisted_rolling.as_ref()?;
+        let half_swings = self
+            .half_swings
+            .get_or_init(|| HalfSwings::new(tables).map(Box::new));
+        half_swings
+            .as_ref()?
+            .from(heading * start.state.theta, tables)
+    }
+
+    /// 2 θ″ where a half swing ends, and a bound of θ′² on the way from where it begins.
+    pub(super) fn turning_point_error(
+        &self,
+        start: Angle,
+        end: Angle,
+    ) -> Option<TurningPointError> {
+        let tables = self.resisted_rolling.as_ref()?;
+        let ([_, u], [u_slope, _]) = (tables.at_rest(start), tables.at_rest(end));
+        Some(TurningPointError { u, u_slope })
+    }
+
     /// Whether rolling is left to the simulation: on a slope tables are not worth making for few
     /// phases.
     pub(super) const fn leaves_rolling(&self, uses_tables: bool) -> bool {
@@ -148,16 +219,20 @@ impl HoopModel {
         uses_tables: bool,
     ) -> Result<SlideEnd, Fallback> {
         let (state, angle) = (start.state, start.angle);
-        let law = self.sliding(slide.slip);
         // From rest it moves away from the turning point at which it is: none is ahead.
-        let backs = state.theta_rate == 0.0 && law.u_growth(angle.sin, angle.cos) < 0.0;
-        let mirror = if backs { -1.0 } else { start.heading() };
+        let mirror = slide.towards.unwrap_or_else(|| {
+            let law = self.sliding(slide.slip);
+            let backs = state.theta_rate == 0.0 && law.u_growth(angle.sin, angle.cos) < 0.0;
+            if backs { -1.0 } else { start.heading() }
+        });
+        let law = self.sliding_towards(slide.slip, mirror);
         let u = start.u();
         let (alpha, beta) = law.slip_acceleration(angle.sin, angle.cos);
         let sigma = slide.slip.sign();
         let slip_coefficient = law.slip_coefficient(angle.sin, angle.cos);
         let frame = MotionFrame {
             laws: &self.sliding,
+            is_against: false,
             mirror,
             theta: mirror * state.theta,
             sigma: mirror * sigma,

@@ -134,6 +134,7 @@ pub(super) struct RoundedNumber {
 }
 
 impl RoundedNumber {
+    #[inline(always)]
     pub(super) fn is_clearly_positive(&self) -> bool {
         self.value > MARGIN_TOLERANCE * self.scale
     }
@@ -175,6 +176,7 @@ impl OrbitRange {
         range
     }
 
+    #[inline(always)]
     pub(super) fn contains(&self, constant: f64) -> bool {
         constant > self.min && constant < self.max
     }

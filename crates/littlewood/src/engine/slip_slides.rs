@@ -17,14 +17,14 @@ use std::sync::OnceLock;
 
 use crate::math::form::Trigonometric;
 use crate::math::trig::Angle;
-use crate::mechanics::{RollingLaw, SlidingLaw, contact};
+use crate::mechanics::{RollingLaw, contact};
 use crate::model::{Hoop, SlipDirection};
 
 use super::interpolant::{Basis, Interpolant, NODES, Tolerance};
 use super::roll::{MarginForm, Margins, RoundedNumber};
 use super::slide::{
-    MotionFrame, SIGN_TOLERANCE, SingleFall, SlideEnd, SlideEvent, SlidePoint, SlideProblem,
-    SlideStrip, SlideTables, StripSide, slip_scale, solve_slide,
+    MotionFrame, SIGN_TOLERANCE, SingleFall, SlideEnd, SlideEvent, SlideLaws, SlidePoint,
+    SlideProblem, SlideStrip, SlideTables, StripSide, slip_scale, solve_slide,
 };
 
 /// Parts of a turn of the angle of the slip, before they are halved: not wider than the intervals
@@ -49,8 +49,7 @@ const MAX_RESIDUAL: f64 = 64.0 * f64::EPSILON;
 /// What the slides are computed from.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlideSource<'a> {
-    /// The equations for σ = −1 and σ = +1, as they are and mirrored.
-    pub(super) laws: &'a [[SlidingLaw; 2]; 2],
+    pub(super) laws: &'a SlideLaws,
     pub(super) rolling: &'a RollingLaw,
     pub(super) margins: &'a Margins,
     pub(super) tables: &'a SlideTables,
@@ -131,9 +130,10 @@ struct Sample {
 impl SlipSlides {
     /// Whether a hoop has slides out of rolling that begin with η″ ≠ 0 and end by friction. Behind
     /// others, rounding decides what follows. On a slope the curves are others in each direction of
-    /// motion.
+    /// motion. With rolling resistance they are other curves than those of [`Family`].
     pub(super) fn are_interpolated(hoop: &Hoop) -> bool {
-        hoop.slope() == 0.0 && hoop.mu_k() > 0.0 && hoop.mu_s() > hoop.mu_k()
+        let is_level = hoop.slope() == 0.0 && hoop.rolling_resistance() == 0.0;
+        is_level && hoop.mu_k() > 0.0 && hoop.mu_s() > hoop.mu_k()
     }
 
     /// The end of a slide from a slip out of rolling. None where it has to be followed.
@@ -154,7 +154,7 @@ impl SlipSlides {
         if !is_proved {
             return None;
         }
-        let law = &source.laws[0][family.slip.index()];
+        let law = &source.laws[0][0][family.slip.index()];
         let angle = start.angle.plus(Angle::of(turned));
         let (h, u) = (law.body.h, theta_rate * theta_rate);
         let contact_margin = RoundedNumber {
@@ -214,7 +214,7 @@ impl Family {
         let denominator = source.rolling.denominator_polynomial().times(&b);
         // The curve crosses slides, du/dϑ = 2 m (q/P) (1 − h cos ϑ u), to the other side where
         // (u′ of the curve − du/dϑ) P, times the square of the denominator, changes its sign.
-        let law = &source.laws[0][slip.index()];
+        let law = &source.laws[0][0][slip.index()];
         let (mass, h) = (law.body.mass, law.body.h);
         let q = Trigonometric::linear(-law.friction, h, -law.friction * h);
         let p = Trigonometric::linear(law.body.inertia, 0.0, 0.0)
@@ -347,7 +347,7 @@ impl Family {
             middle: bounds.middle(),
         };
         let farthest = slides.iter().fold(0.0, |far, end| end.theta.max(far));
-        let law = &source.laws[0][self.slip.index()];
+        let law = &source.laws[0][0][self.slip.index()];
         let fall = source
             .tables
             .single_fall(law, self.slip.sign(), strip, farthest)?;
@@ -364,7 +364,7 @@ impl Family {
         if event.lifts_off {
             return f64::EPSILON;
         }
-        let law = &source.laws[0][self.slip.index()];
+        let law = &source.laws[0][0][self.slip.index()];
         let (alpha, beta) = law.slip_acceleration(event.angle.sin, event.angle.cos);
         let rate = event.theta_rate;
         f64::EPSILON * (1.0 + rate) / (alpha + beta * (rate * rate)).abs()
@@ -382,7 +382,8 @@ impl Family {
             Ok(SlideEnd::Event(event)) if event.turning_points == 0.0 && event.theta < TAU => {
                 Some(event)
             }
-            Ok(SlideEnd::Event(_) | SlideEnd::Cut(_) | SlideEnd::Never) | Err(_) => None,
+            Ok(SlideEnd::Event(_) | SlideEnd::Turn(_) | SlideEnd::Cut(_) | SlideEnd::Never)
+            | Err(_) => None,
         }
     }
 
@@ -390,7 +391,7 @@ impl Family {
     fn slide<'a>(&self, angle: f64, source: SlideSource<'a>) -> Option<SlideProblem<'a>> {
         let u = self.rate_squared(angle)?;
         let (at, sigma) = (Angle::of(angle), self.slip.sign());
-        let law = &source.laws[0][self.slip.index()];
+        let law = &source.laws[0][0][self.slip.index()];
         let (alpha, beta) = law.slip_acceleration(at.sin, at.cos);
         let slip_acceleration = sigma * (alpha + beta * u);
         let slips = contact(1.0, law.body.h, at.cos * u) > 0.0 && slip_acceleration > 0.0;
@@ -398,6 +399,7 @@ impl Family {
             frame: MotionFrame {
                 laws: source.laws,
                 mirror: 1.0,
+                is_against: false,
                 theta: angle,
                 sigma,
                 integral: -u.sqrt() * law.slip_coefficient(at.sin, at.cos),

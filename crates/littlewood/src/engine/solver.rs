@@ -40,13 +40,23 @@ const ON_LIMIT: Entry = Entry::FromRest {
     slip_acceleration: 0.0,
 };
 
+/// A slide to be followed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SlidePhase {
+    pub(super) direction: SlipDirection,
+    pub(super) entry: Entry,
+    pub(super) may_lift_off: bool,
+    /// The direction of rotation, with rolling resistance.
+    pub(super) towards: Option<f64>,
+}
+
 #[derive(Clone, Debug)]
 pub(super) struct FastSolver<'a> {
-    hoop: &'a Hoop,
-    model: &'a HoopModel,
+    pub(super) hoop: &'a Hoop,
+    pub(super) model: &'a HoopModel,
     /// SlipMaps of slips, if they are passed by whole links.
     slip_maps: Option<&'a [SlipMaps]>,
-    exact: Exact<'a>,
+    pub(super) exact: Exact<'a>,
     /// Phases of a motion before its slips are.
     phases_before_links: u32,
     /// Phases before tables are used.
@@ -54,10 +64,10 @@ pub(super) struct FastSolver<'a> {
     /// Phases in contact so far.
     phases: Cell<u32>,
     /// In a cell, since [`Solver`] has no state but this, the count of phases, and the next.
-    error: Cell<ErrorBound>,
-    interpolates_slides: bool,
+    pub(super) error: Cell<ErrorBound>,
+    pub(super) interpolates_slides: bool,
     /// Whether the last phase was rolling that has slipped.
-    has_slipped: Cell<bool>,
+    pub(super) has_slipped: Cell<bool>,
 }
 
 /// Equilibria of a slide without kinetic friction are nearer than this part of its energy.
@@ -103,7 +113,7 @@ impl Solution for Option<Flight> {
     }
 }
 
-type Ended = PhaseEnd<EngineState, FastOutcome>;
+pub(super) type Ended = PhaseEnd<EngineState, FastOutcome>;
 
 impl<'a> FastSolver<'a> {
     pub(super) fn new(hoop: &'a Hoop, model: &'a HoopModel, limits: &Limits) -> Self {
@@ -160,7 +170,7 @@ impl<'a> FastSolver<'a> {
     }
 
     /// Counts a phase; returns whether it uses tables.
-    fn uses_tables(&self) -> bool {
+    pub(super) fn uses_tables(&self) -> bool {
         let phases = self.phases.get();
         self.phases.set(phases.saturating_add(1));
         phases >= self.phases_before_caching && is_on(Part::KeptCells)
@@ -177,20 +187,20 @@ impl<'a> FastSolver<'a> {
         self.error.get().is_lost()
     }
 
-    fn with_error<T>(&self, change: impl FnOnce(&mut ErrorBound) -> T) -> T {
+    pub(super) fn with_error<T>(&self, change: impl FnOnce(&mut ErrorBound) -> T) -> T {
         let mut error = self.error.get();
         let result = change(&mut error);
         self.error.set(error);
         result
     }
 
-    fn add_phase_error(&self, end: &State) {
+    pub(super) fn add_phase_error(&self, end: &State) {
         self.with_error(|error| error.add_phase(&self.model.error_model, end.theta));
     }
 
     /// What the error tells of a decision. Where it does not, the simulation may decide otherwise.
     #[inline(always)]
-    fn is_certain(&self, told_by: impl FnOnce(&ErrorBound) -> bool) -> bool {
+    pub(super) fn is_certain(&self, told_by: impl FnOnce(&ErrorBound) -> bool) -> bool {
         let error = self.error.get();
         let is_certain = told_by(&error);
         if !is_certain {
@@ -201,7 +211,7 @@ impl<'a> FastSolver<'a> {
 
     /// Whether the sign of a number is certain.
     #[inline(always)]
-    fn sign_is_certain(&self, value: f64, scale: f64) -> bool {
+    pub(super) fn sign_is_certain(&self, value: f64, scale: f64) -> bool {
         self.is_certain(|error| error.sign_is_certain(DecisiveNumber { value, scale }))
     }
 
@@ -214,12 +224,12 @@ impl<'a> FastSolver<'a> {
         self.is_certain(|error| error.resolves_forces(&self.model.error_model, margin))
     }
 
-    fn is_in_time(&self, state: &State, elapsed: f64) -> bool {
+    pub(super) fn is_in_time(&self, state: &State, elapsed: f64) -> bool {
         elapsed <= self.until() - state.time
     }
 
     /// Converts a phase that was solved exactly.
-    fn from_exact(solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
+    pub(super) fn from_exact(solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
         let end = match solved.end {
             PhaseEnd::Rest { point, arrival } => PhaseEnd::Rest {
                 point: EngineState::new(point),
@@ -254,7 +264,7 @@ impl<'a> FastSolver<'a> {
         }
     }
 
-    fn contact_margin(&self, place: &EngineState) -> f64 {
+    pub(super) fn contact_margin(&self, place: &EngineState) -> f64 {
         contact(1.0, self.model.body.h, place.angle.cos * place.u())
     }
 
@@ -279,7 +289,7 @@ impl<'a> FastSolver<'a> {
         };
         if !SlipDirection::ALL
             .into_iter()
-            .all(|direction| self.is_solvable(place, direction))
+            .all(|direction| self.is_solvable(place, direction, None))
         {
             return None;
         }
@@ -309,16 +319,25 @@ impl<'a> FastSolver<'a> {
 
     /// Whether P > 0 is certain.
     #[inline(always)]
-    fn is_solvable(&self, place: &EngineState, direction: SlipDirection) -> bool {
+    pub(super) fn is_solvable(
+        &self,
+        place: &EngineState,
+        direction: SlipDirection,
+        towards: Option<f64>,
+    ) -> bool {
         if self.model.is_solvable {
             return true;
         }
         let Heavy {
             mass, h, inertia, ..
         } = self.model.body;
-        let (law, Angle { sin, cos }) = (self.model.sliding(direction), place.angle);
+        let law = self
+            .model
+            .sliding_towards(direction, towards.unwrap_or(1.0));
+        let Angle { sin, cos } = place.angle;
         let p = law.p(sin, law.q(1.0, sin, cos));
-        self.sign_is_certain(p, inertia + mass * h * (1.0 + self.hoop.mu_k())) && p > 0.0
+        let arm = 1.0 + self.hoop.mu_k() + self.hoop.rolling_resistance();
+        self.sign_is_certain(p, inertia + mass * h * arm) && p > 0.0
     }
 
     /// The same at η′ = 0.
@@ -389,7 +408,7 @@ impl<'a> FastSolver<'a> {
     }
 
     /// A phase that is cut at a state by the limit of time.
-    const fn cut(end: State) -> Ended {
+    pub(super) const fn cut(end: State) -> Ended {
         let outcome = FastOutcome {
             kind: OutcomeKind::TimeLimit,
             state: end,
@@ -438,7 +457,7 @@ impl<'a> FastSolver<'a> {
     }
 
     /// The state at an event of a slide from a place, or at the time limit.
-    fn slide_end(
+    pub(super) fn slide_end(
         &self,
         place: &EngineState,
         direction: SlipDirection,
@@ -464,8 +483,8 @@ impl<'a> FastSolver<'a> {
     }
 
     /// The end of rolling from a place by a slip.
-    fn slipped(&self, place: &EngineState, slip: &RollSlip) -> Ended {
-        let (state, heading) = (place.state, place.heading());
+    pub(super) fn slipped(&self, place: &EngineState, slip: &RollSlip, heading: f64) -> Ended {
+        let state = place.state;
         let theta = heading * slip.theta;
         let end = State {
             time: state.time + slip.elapsed,
@@ -490,7 +509,7 @@ impl<'a> FastSolver<'a> {
     /// The result of a phase from a state that is that of the simulation, or of a motion that is
     /// lost: it ends here, and begins anew.
     #[inline(always)]
-    fn not_computed(
+    pub(super) fn not_computed(
         &self,
         state: State,
         exact: impl FnOnce(&Exact<'a>) -> PhaseResult<Exact<'a>>,
@@ -524,6 +543,93 @@ impl<'a> FastSolver<'a> {
             slip: 0.0,
             x,
         })
+    }
+
+    /// Follows a slide, or solves it as the simulation does.
+    #[inline(always)]
+    pub(super) fn follow_slide(
+        &self,
+        place: &EngineState,
+        body: &Heavy,
+        slide: SlidePhase,
+        exact: impl Fn(&Exact<'a>) -> PhaseResult<Exact<'a>>,
+    ) -> PhaseResult<Self> {
+        let SlidePhase {
+            direction,
+            entry,
+            may_lift_off,
+            towards,
+        } = slide;
+        let state = place.state;
+        let has_slipped = self.has_slipped.take();
+        let is_conservative = self.hoop.mu_k() == 0.0 && towards.is_none();
+        let left_to_the_simulation = |reason: Fallback| {
+            self.model.fallbacks.add(reason);
+            // As the simulation has it, but for the last digits of an acceleration from which it
+            // begins.
+            let solved = exact(&self.exact);
+            if entry != Entry::Moving && entry != ON_LIMIT {
+                self.add_phase_error(&state);
+            }
+            Self::from_exact(solved)
+        };
+        if let Some(result) = self.not_computed(state, &exact) {
+            return result;
+        }
+        if is_out_of_range(state.theta) {
+            return left_to_the_simulation(Fallback::Far);
+        }
+        let (w, size) = (self.contact_margin(place), 1.0 + body.h * place.u());
+        let is_clear = if entry == Entry::Moving {
+            self.sign_is_certain(w, size) && self.is_solvable(place, direction, towards)
+        } else {
+            self.resolves_forces(w, size)
+        };
+        if !is_clear {
+            return left_to_the_simulation(Fallback::Cancelled);
+        }
+        if is_conservative && entry == ON_LIMIT {
+            // A zero of a higher order, which the simulation divides out.
+            return left_to_the_simulation(Fallback::Cancelled);
+        }
+        if is_conservative && self.leaves_plane_at_top(body, place) != Some(may_lift_off) {
+            return left_to_the_simulation(Fallback::Cancelled);
+        }
+        if is_conservative && is_next_to_equilibrium(body, place) {
+            return left_to_the_simulation(Fallback::Separatrix);
+        }
+        let uses_tables = self.uses_tables();
+        let begin = SlideStart {
+            slip: direction,
+            towards,
+            from_limit: entry == ON_LIMIT,
+            is_interpolated: has_slipped && self.interpolates_slides && uses_tables,
+            time_left: self.until() - state.time,
+        };
+        let end = match self.model.slide(place, begin, uses_tables) {
+            Ok(SlideEnd::Event(event)) => self.slide_event(place, direction, &event),
+            Ok(SlideEnd::Turn(event)) => {
+                self.turned(place, direction, towards.unwrap_or(1.0), &event)
+            }
+            Ok(SlideEnd::Cut(event)) => {
+                let end = self.slide_end(place, direction, &event, true);
+                // η′ has not fallen over a whole period: there is no event at all.
+                let never_stops =
+                    direction.sign() * self.model.sliding(direction).mean_slip_loss() <= 0.0;
+                if never_stops && event.is_behind_a_period(state.theta, is_conservative) {
+                    Self::slides_forever(state, Some(end))
+                } else {
+                    Self::cut(end)
+                }
+            }
+            Ok(SlideEnd::Never) => Self::slides_forever(state, None),
+            Err(reason) => return left_to_the_simulation(reason),
+        };
+        PhaseResult {
+            solution: None,
+            direction: Some(direction),
+            end,
+        }
     }
 }
 
@@ -606,9 +712,12 @@ impl Solver for FastSolver<'_> {
 
     #[inline(always)]
     fn next_motion(&self, place: &EngineState, arrival: Arrival) -> NextMotion {
-        if arrival == Arrival::LiftOff {
+        if matches!(arrival, Arrival::LiftOff) {
             // What the slide has found is not computed again.
             return NextMotion::at(self.hoop, &place.state, arrival);
+        }
+        if self.hoop.rolling_resistance() > 0.0 {
+            return self.next_resisted(place, arrival);
         }
         match self.clear_inputs(place, arrival) {
             Some(inputs) => select_mode(self.hoop, &self.model.body, &place.state, &inputs),
@@ -644,7 +753,7 @@ impl Solver for FastSolver<'_> {
                 },
             },
             Ok(RollEnd::Slip(slip)) if self.is_in_time(&state, slip.elapsed) => {
-                self.slipped(place, &slip)
+                self.slipped(place, &slip, place.heading())
             }
             Ok(RollEnd::Slip(_)) => match self.rolled(place) {
                 Some(end) => Self::cut(end),
@@ -672,76 +781,15 @@ impl Solver for FastSolver<'_> {
         entry: Entry,
         may_lift_off: bool,
     ) -> PhaseResult<Self> {
-        let state = place.state;
-        let has_slipped = self.has_slipped.take();
-        let is_conservative = self.hoop.mu_k() == 0.0;
-        let left_to_the_simulation = |reason: Fallback| {
-            self.model.fallbacks.add(reason);
-            // As the simulation has it, but for the last digits of an acceleration from which it
-            // begins.
-            let solved = self
-                .exact
-                .slide(&state, body, direction, entry, may_lift_off);
-            if entry != Entry::Moving && entry != ON_LIMIT {
-                self.add_phase_error(&state);
-            }
-            Self::from_exact(solved)
+        let slide = SlidePhase {
+            direction,
+            entry,
+            may_lift_off,
+            towards: None,
         };
-        if let Some(result) = self.not_computed(state, |exact| {
-            exact.slide(&state, body, direction, entry, may_lift_off)
-        }) {
-            return result;
-        }
-        if is_out_of_range(state.theta) {
-            return left_to_the_simulation(Fallback::Far);
-        }
-        let (w, size) = (self.contact_margin(place), 1.0 + body.h * place.u());
-        let is_clear = if entry == Entry::Moving {
-            self.sign_is_certain(w, size) && self.is_solvable(place, direction)
-        } else {
-            self.resolves_forces(w, size)
-        };
-        if !is_clear {
-            return left_to_the_simulation(Fallback::Cancelled);
-        }
-        if is_conservative && entry == ON_LIMIT {
-            // A zero of a higher order, which the simulation divides out.
-            return left_to_the_simulation(Fallback::Cancelled);
-        }
-        if is_conservative && self.leaves_plane_at_top(body, place) != Some(may_lift_off) {
-            return left_to_the_simulation(Fallback::Cancelled);
-        }
-        if is_conservative && is_next_to_equilibrium(body, place) {
-            return left_to_the_simulation(Fallback::Separatrix);
-        }
-        let uses_tables = self.uses_tables();
-        let begin = SlideStart {
-            slip: direction,
-            from_limit: entry == ON_LIMIT,
-            is_interpolated: has_slipped && self.interpolates_slides && uses_tables,
-            time_left: self.until() - state.time,
-        };
-        let end = match self.model.slide(place, begin, uses_tables) {
-            Ok(SlideEnd::Event(event)) => self.slide_event(place, direction, &event),
-            Ok(SlideEnd::Cut(event)) => {
-                let end = self.slide_end(place, direction, &event, true);
-                // η′ has not fallen over a whole period: there is no event at all.
-                let never_stops =
-                    direction.sign() * self.model.sliding(direction).mean_slip_loss() <= 0.0;
-                if never_stops && event.is_behind_a_period(state.theta, is_conservative) {
-                    Self::slides_forever(state, Some(end))
-                } else {
-                    Self::cut(end)
-                }
-            }
-            Ok(SlideEnd::Never) => Self::slides_forever(state, None),
-            Err(reason) => return left_to_the_simulation(reason),
-        };
-        PhaseResult {
-            solution: None,
-            direction: Some(direction),
-            end,
-        }
+        self.follow_slide(place, body, slide, |exact| {
+            exact.slide(&place.state, body, direction, entry, may_lift_off)
+        })
     }
 
     #[inline(always)]
@@ -823,7 +871,7 @@ impl Solver for FastSolver<'_> {
         motion: ResistedMotion,
         half_swings: usize,
     ) -> PhaseResult<Self> {
-        Self::from_exact(self.exact.resisted(&place.state, body, motion, half_swings))
+        self.follow_resisted(place, body, motion, half_swings)
     }
 
     fn skip_to(&self, end: State) -> Option<EngineState> {

@@ -269,7 +269,7 @@ impl<T: Number> RollingLaw<T> {
     /// N = m − ℓ̂ (sin θ θ″ + cos θ u) and F = ℓ̂ sin θ u − (m + ℓ̂ cos θ) θ″ + m tan α (2.12),
     /// from D. With θ″ of (2.11) F = [ℓ̂ sin θ (u (Î + ℓ̂(h + cos θ)) − m − ℓ̂ cos θ) + (m Î + ℓ̂²
     /// sin²θ) tan α]/D, which keeps the digits of a heavy hoop.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn forces_at(
         &self,
         angle: Angle<T>,

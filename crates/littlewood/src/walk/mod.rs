@@ -20,7 +20,7 @@ pub(crate) use self::follow::{WalkSettings, walk};
 pub(crate) use self::origin::{Origin, RelativeStart};
 pub(crate) use self::outcome::{Outcome, OutcomeKind};
 pub(crate) use self::proofs::{Proofs, SharedProofData, is_same};
-pub(crate) use self::resisted::{Held, ResistedMotion};
+pub(crate) use self::resisted::{Held, ResistedMotion, StateDifference, next_motion_near};
 pub(crate) use self::sequence::PhaseSequence;
 pub(crate) use self::slip::LastSlip;
 pub(crate) use self::solver::{

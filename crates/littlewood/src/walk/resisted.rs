@@ -136,15 +136,29 @@ impl Verdict {
         Self::of(margin, number, number.is_non_negative())
     }
 
-    /// By the first coefficient of a series that rounding does not decide, from an order on.
-    fn just_after(margin: Margin, series: &Series<Bounded>, first: usize) -> Self {
-        let decided = series[first..=HIGHEST_ORDER].iter().find_map(|c| {
-            if c.is_exactly_zero() {
-                None
-            } else {
-                c.is_positive()
-            }
-        });
+    /// By the value of a series, where that decides.
+    fn at_once(margin: Margin, value: Bounded) -> Self {
+        let is_zero = value.is_exactly_zero();
+        let decided = value.is_positive().filter(|_| !is_zero);
+        Self::of(margin, value, decided)
+    }
+
+    /// Whether Dχ is not zero.
+    fn regular(denominator: Bounded) -> Self {
+        let is_regular = denominator.is_positive().map(|_| true);
+        Self::of(Margin::ResistedDenominator, denominator, is_regular)
+    }
+
+    /// By the first coefficient of a series that rounding does not decide, from the order `first` on.
+    fn just_after(margin: Margin, series: &Series<Bounded>, first: usize, order: Order) -> Self {
+        let mut coefficients = series[first..=order.highest]
+            .iter()
+            .filter(|c| !c.is_exactly_zero());
+        let decided = if order.is_of_exact_state {
+            coefficients.find_map(|c| c.is_positive())
+        } else {
+            coefficients.next().and_then(|c| c.is_positive())
+        };
         Self::of(margin, series[first], decided)
     }
 
@@ -158,6 +172,44 @@ impl Verdict {
                 Self::Holds | Self::Undecided(_) => self,
             },
         }
+    }
+}
+
+/// Up to which order series are computed. Of a state that is another one than that of the simulation
+/// the first coefficient alone decides: where it is not certain the next one may not be asked there.
+#[derive(Clone, Copy, Debug)]
+struct Order {
+    highest: usize,
+    is_of_exact_state: bool,
+}
+
+/// By how much a state may differ from the one that is decided on: θ by `theta`, and θ′, where it is
+/// not zero, by `rate` times 1 + |θ′|.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StateDifference {
+    pub(crate) theta: f64,
+    pub(crate) rate: f64,
+}
+
+impl StateDifference {
+    const NONE: Self = Self {
+        theta: 0.0,
+        rate: 0.0,
+    };
+
+    const fn is_none(&self) -> bool {
+        self.theta == 0.0 && self.rate == 0.0
+    }
+
+    /// The angle and the rate of a state, with bounds of what they may be.
+    fn place(&self, state: &State) -> PhasePoint<Bounded> {
+        // Where a velocity is zero it is so exactly.
+        let [mut theta, mut rate] = [state.theta, state.theta_rate].map(Bounded::rounded);
+        theta.bound += self.theta;
+        if state.theta_rate != 0.0 {
+            rate.bound += self.rate * (1.0 + state.theta_rate.abs());
+        }
+        PhasePoint { theta, rate }
     }
 }
 
@@ -193,6 +245,7 @@ struct Trial<'a> {
     body: Heavy<Bounded>,
     place: PhasePoint<Bounded>,
     angle: Angle<Bounded>,
+    is_exact: bool,
 }
 
 /// The motion that begins at a state of a heavy hoop.
@@ -202,7 +255,18 @@ pub(crate) fn next_motion(
     state: &State,
     arrival: Arrival,
 ) -> NextMotion {
-    let trial = Trial::new(hoop, body, state);
+    next_motion_near(hoop, body, state, arrival, StateDifference::NONE)
+}
+
+/// The same at a state that may differ from the one given; undecided where that tells.
+pub(crate) fn next_motion_near(
+    hoop: &Hoop,
+    body: &Heavy,
+    state: &State,
+    arrival: Arrival,
+    difference: StateDifference,
+) -> NextMotion {
+    let trial = Trial::new(hoop, body, state, difference);
     let slip = match arrival {
         Arrival::RollingLimit(RollingLimit::Friction(direction)) => {
             trial.slip_out_of_rolling(body, direction)
@@ -246,7 +310,7 @@ pub(crate) fn massless(
     arrival: Arrival,
 ) -> NextMotion {
     let rigid = hoop.rigid_body();
-    let trial = Trial::new(hoop, &rigid, state);
+    let trial = Trial::new(hoop, &rigid, state, StateDifference::NONE);
     let mut tried = trial.modes();
     if matches!(arrival, Arrival::RollingLimit(_)) {
         tried.clear();
@@ -276,7 +340,7 @@ fn keep_held(tried: &mut Vec<Tried>, arrival: Arrival) {
 }
 
 impl<'a> Trial<'a> {
-    fn new(hoop: &'a Hoop, body: &Heavy, state: &'a State) -> Self {
+    fn new(hoop: &'a Hoop, body: &Heavy, state: &'a State, difference: StateDifference) -> Self {
         let parameters = hoop.parameters();
         let [mass_ratio, offset, inertia, slope] = [
             parameters.mass_ratio,
@@ -290,15 +354,15 @@ impl<'a> Trial<'a> {
             offset,
             inertia,
         };
-        // Where a velocity is zero it is so exactly.
-        let [theta, rate] = [state.theta, state.theta_rate].map(Bounded::rounded);
+        let place = difference.place(state);
         Self {
             hoop,
             state,
             contact: contact_margin(body, state),
             body: Heavy::of(composition, slope),
-            place: PhasePoint { theta, rate },
-            angle: theta.angle(),
+            angle: place.theta.angle(),
+            place,
+            is_exact: difference.is_none(),
         }
     }
 
@@ -322,33 +386,46 @@ impl<'a> Trial<'a> {
         if sticks && holds {
             tried.push(self.rest());
         }
-        if sticks {
+        // What holds excludes all that holds less, which need not be tried; not if it is unstable,
+        // and does not go on while it can.
+        let is_open = |tried: &[Tried], held: Held| {
+            !tried.iter().any(|one| {
+                one.verdict == Verdict::Holds
+                    && !one.is_unstable
+                    && one.motion.holds().exceeds(held)
+            })
+        };
+        let (rolls, skids) = (
+            Held {
+                slip: true,
+                turn: false,
+            },
+            Held {
+                slip: false,
+                turn: true,
+            },
+        );
+        if sticks && is_open(&tried, rolls) {
             tried.extend(rotations.iter().map(|rotation| self.roll(*rotation)));
         }
-        if holds {
+        if holds && is_open(&tried, skids) {
             tried.extend(slips.iter().map(|direction| self.skid(*direction)));
         }
         // A massless hoop that slips and turns glides, without a force.
         let slides = matches!(self.hoop.body(), Body::Heavy(_));
-        for direction in slips.into_iter().filter(|_| slides) {
-            tried.extend(
-                rotations
-                    .iter()
-                    .map(|rotation| self.slide(direction, *rotation)),
-            );
+        if slides && is_open(&tried, Held::NOTHING) {
+            for direction in slips {
+                tried.extend(
+                    rotations
+                        .iter()
+                        .map(|rotation| self.slide(direction, *rotation)),
+                );
+            }
         }
         tried.retain(|one| one.verdict != Verdict::Fails);
-        // What is unstable does not go on while it can.
-        let is_excluded = |one: &Tried| {
-            tried.iter().any(|other| {
-                other.verdict == Verdict::Holds
-                    && !other.is_unstable
-                    && other.motion.holds().exceeds(one.motion.holds())
-            })
-        };
         tried
             .iter()
-            .filter(|one| !is_excluded(one))
+            .filter(|one| is_open(&tried, one.motion.holds()))
             .copied()
             .collect()
     }
@@ -401,38 +478,91 @@ impl<'a> Trial<'a> {
         }
     }
 
+    const fn order(&self, highest: usize) -> Order {
+        Order {
+            highest,
+            is_of_exact_state: self.is_exact,
+        }
+    }
+
     fn roll(&self, rotation: RotationDirection) -> Tried {
         let law = ResistedRollingLaw::of_body(&self.body, self.resistance(rotation));
-        let series = RollingSeries::new(&law, self.place, HIGHEST_ORDER);
+        if law.is_massless() {
+            return self.roll_by(rotation, &law);
+        }
+        let u = self.place.rate * self.place.rate;
+        let forces = law.forces(self.angle, u);
         let [mu_s, _] = self.friction();
-        let begins = if self.state.theta_rate == 0.0 {
-            let acceleration = series.theta_rate[1] * rotation.sign();
-            Verdict::positive(Margin::Onset, acceleration)
+        let [back, forth] = SlipDirection::ALL.map(|direction| {
+            let margin = mu_s * forces.normal + forces.friction * direction.sign();
+            move || Verdict::at_once(Margin::StaticFriction, margin)
+        });
+        let denominator = law.denominator_of(self.angle);
+        let verdict = self
+            .begins_to_turn(rotation, || law.acceleration(self.angle, u))
+            .and(|| Verdict::regular(denominator))
+            .and(|| Verdict::at_once(Margin::NormalForce, forces.normal))
+            .and(back)
+            .and(forth);
+        match verdict {
+            Verdict::Holds | Verdict::Fails => Tried {
+                motion: ResistedMotion::Roll(rotation),
+                verdict,
+                is_unstable: denominator.is_positive() == Some(false),
+            },
+            // Where rounding decides the next derivative is asked.
+            Verdict::Undecided(_) => self.roll_by(rotation, &law),
+        }
+    }
+
+    /// Whether θ′ leaves zero in a direction, if it is zero.
+    fn begins_to_turn(
+        &self,
+        rotation: RotationDirection,
+        acceleration: impl FnOnce() -> Bounded,
+    ) -> Verdict {
+        if self.state.theta_rate == 0.0 {
+            Verdict::positive(Margin::Onset, acceleration() * rotation.sign())
         } else {
             Verdict::Holds
-        };
-        let denominator = series.denominator[0].is_positive();
-        let verdict = begins
-            .and(|| {
-                Verdict::of(
-                    Margin::ResistedDenominator,
-                    series.denominator[0],
-                    denominator.map(|_| true),
-                )
-            })
-            .and(|| Verdict::just_after(Margin::NormalForce, &series.normal, 0));
+        }
+    }
+
+    fn roll_by(&self, rotation: RotationDirection, law: &ResistedRollingLaw<Bounded>) -> Tried {
+        let order = self.order(HIGHEST_ORDER);
+        let series = RollingSeries::new(law, self.place, order.highest);
+        let [mu_s, _] = self.friction();
+        let denominator = series.denominator[0];
+        let verdict = self
+            .begins_to_turn(rotation, || series.theta_rate[1])
+            .and(|| Verdict::regular(denominator))
+            .and(|| Verdict::just_after(Margin::NormalForce, &series.normal, 0, order));
         let [back, forth] = SlipDirection::ALL.map(|direction| {
             let margin = series.margin(mu_s, direction.sign());
-            move || Verdict::just_after(Margin::StaticFriction, &margin, 0)
+            move || Verdict::just_after(Margin::StaticFriction, &margin, 0, order)
         });
         Tried {
             motion: ResistedMotion::Roll(rotation),
             verdict: verdict.and(back).and(forth),
-            is_unstable: denominator == Some(false),
+            is_unstable: denominator.is_positive() == Some(false),
         }
     }
 
     fn slide(&self, direction: SlipDirection, rotation: RotationDirection) -> Tried {
+        // The series are long, and their first coefficients mostly decide.
+        let tried = self.slide_by(direction, rotation, self.order(1));
+        match tried.verdict {
+            Verdict::Holds | Verdict::Fails => tried,
+            Verdict::Undecided(_) => self.slide_by(direction, rotation, self.order(HIGHEST_ORDER)),
+        }
+    }
+
+    fn slide_by(
+        &self,
+        direction: SlipDirection,
+        rotation: RotationDirection,
+        order: Order,
+    ) -> Tried {
         let [_, mu_k] = self.friction();
         let law = SlidingLaw {
             resistance: self.resistance(rotation),
@@ -452,9 +582,10 @@ impl<'a> Trial<'a> {
         };
         let (mut entry, mut begins) = (Entry::Moving, Verdict::Holds);
         if self.state.slip == 0.0 && pressed != Verdict::Fails {
-            let series = SlideSeries::new(&law, self.place, Bounded::constant(0.0));
+            let zero = Bounded::constant(0.0);
+            let series = SlideSeries::to_order(&law, self.place, zero, order.highest);
             let ahead = series.slip.map(|c| c * direction.sign());
-            begins = Verdict::just_after(Margin::Onset, &ahead, 1);
+            begins = Verdict::just_after(Margin::Onset, &ahead, 1, order);
             let acceleration = series.slip[1];
             let is_decided = acceleration.is_positive().is_some();
             entry = Entry::FromRest {

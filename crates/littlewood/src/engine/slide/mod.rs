@@ -1,4 +1,5 @@
-//! Sliding of one body, followed in the angle.
+//! Sliding of one body, followed in the angle; and rolling with resistance ([`rolling`]), which has
+//! the same kind of equation.
 //!
 //! u = θ′² obeys the linear equation du/dϑ = a(ϑ) (1 − h cos ϑ u), a = 2 m q/P, whatever the
 //! motion. About any angle a slide is therefore a power series ([`series`]); about a fixed angle
@@ -8,6 +9,7 @@
 
 mod order;
 mod regular;
+mod rolling;
 mod segment;
 mod series;
 mod solve;
@@ -19,8 +21,9 @@ use core::f64::consts::TAU;
 use crate::math::trig::Angle;
 
 pub(super) use order::{SingleFall, SlideStrip, StripSide};
+pub(super) use rolling::{ResistedRollEnd, RollStart, RollStop, RollTables};
 pub(super) use segment::{SIGN_TOLERANCE, SlidePoint, slip_scale};
-pub(super) use solve::{MotionFrame, SlideProblem, solve_slide};
+pub(super) use solve::{MotionFrame, SlideLaws, SlideProblem, solve_slide};
 pub(super) use table::SlideTables;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +42,8 @@ pub(super) struct SlideEvent {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum SlideEnd {
     Event(SlideEvent),
+    /// At θ′ = 0, with rolling resistance.
+    Turn(SlideEvent),
     /// Not an event: where it is then.
     Cut(SlideEvent),
     /// Never: a whole period in which η′ does not fall has passed without an event.

@@ -65,7 +65,7 @@ impl SlideTables {
     ) -> Option<SingleFall> {
         let mut interval = AngleInterval::holding(strip.middle, ORDER_HALVINGS);
         let mut table = self.get(law, sigma, interval)?;
-        let centre = |side: StripSide| table.u_centre(side.angle, side.u);
+        let centre = |side: StripSide| table.solutions.u_centre(side.angle, side.u);
         let mut centres = Centres {
             first: centre(strip.first),
             last: centre(strip.last),
@@ -94,7 +94,11 @@ impl SlideTables {
             fall.to += interval.width();
             let before = table;
             table = self.get(law, sigma, interval)?;
-            centres = centres.map(|u_centre| table.u_centre_of_entry(before.exit(u_centre)));
+            centres = centres.map(|u_centre| {
+                table
+                    .solutions
+                    .u_centre_of_entry(before.solutions.exit(u_centre))
+            });
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::mechanics::SlidingLaw;
 
 use super::segment::{LocalCoefficients, SlideSegment};
 use super::series::{
-    DEGREE, Expansion, Series, SignPattern, SlipSigns, TermBound, scaled, sum_of_sizes, value,
+    DEGREE, Expansion, Family, Series, Signs, SlipSigns, TermBound, scaled, sum_of_sizes, value,
 };
 
 /// Up to this multiple of a segment u has no zero: the terms of its series are at most the part
@@ -37,14 +37,14 @@ const POWERS: [[f64; NODES]; DEGREE + 1] = {
 
 /// A segment with the coordinate t = z/width up to 1, in the frame of motion.
 #[derive(Clone, Debug)]
-pub(super) struct RegularSegment {
+pub(super) struct RegularSegment<S = SlipSigns> {
     /// z at t = 1.
     pub(super) width: f64,
     /// u in powers of t, truncated at `degree`, which is even.
     pub(super) u: Series,
     pub(super) degree: usize,
     /// On the segment without its start.
-    pub(super) signs: SlipSigns,
+    pub(super) signs: S,
     /// At t = 0.
     pub(super) angle: Angle,
     /// t at the end: 1, or at the end of an interval of the grid.
@@ -87,10 +87,24 @@ impl RegularSegment {
     /// The largest sum of the other terms of u, as a part of the first.
     pub(super) const MAX_TERM_RATIO: f64 = 0.9;
 
+    /// Whether u has no zero near a segment by the sizes of its terms: on the ellipse about it all
+    /// but the first are at most the part [`RegularSegment::MAX_TERM_RATIO`] of that.
+    pub(super) fn is_zero_free(u: &[f64], span: Span) -> bool {
+        let radius = span.ellipse_radius();
+        radius * sum_of_sizes(&u[1..], radius) <= Self::MAX_TERM_RATIO * u[0]
+    }
+
+    /// Whether the linear term alone allows [`RegularSegment::is_zero_free`].
+    pub(super) fn may_be_zero_free(u0: f64, slope: f64, span: Span) -> bool {
+        span.ellipse_radius() * slope.abs() <= Self::MAX_TERM_RATIO * u0
+    }
+}
+
+impl<S: Signs> RegularSegment<S> {
     /// The widest segment from an angle on which the series of u has converged; `from_zero` if
     /// η″ = 0 at its start.
     pub(super) fn new(
-        expansion: &Expansion,
+        expansion: &Expansion<impl Family<Signs = S>>,
         angle: Angle,
         from_zero: bool,
     ) -> Result<Self, Fallback> {
@@ -101,7 +115,7 @@ impl RegularSegment {
             first: 1,
             max_width: convergence_radius,
             stretch: ELLIPSE_FACTOR,
-            max_ratio: Self::MAX_TERM_RATIO,
+            max_ratio: RegularSegment::MAX_TERM_RATIO,
         };
         // A rising linear term moves no zero onto the segment: it is bounded on the segment alone.
         let bound = if slope > 0.0 {
@@ -116,9 +130,8 @@ impl RegularSegment {
         let width = expansion.smooth(bound).ok_or(Fallback::TurningPoint)?;
         let with_width = |width: f64| {
             let u = scaled(expansion.u, width);
-            let signs = expansion
-                .signs(&u, width, from_zero)
-                .ok_or(Fallback::Pole)?;
+            let signs = expansion.family.signs(&u, width, from_zero);
+            let signs = signs.ok_or(Fallback::Pole)?;
             Ok(Self {
                 width,
                 u,
@@ -132,23 +145,11 @@ impl RegularSegment {
         };
         let segment = with_width(width)?;
         // Where η″ vanishes at the end of a segment, or twice on it, half of it has its signs.
-        if segment.signs.pattern == SignPattern::Unknown {
+        if segment.signs.are_unknown() {
             with_width(0.5 * width)
         } else {
             Ok(segment)
         }
-    }
-
-    /// Whether u has no zero near a segment by the sizes of its terms: on the ellipse about it all
-    /// but the first are at most the part [`RegularSegment::MAX_TERM_RATIO`] of that.
-    pub(super) fn is_zero_free(u: &[f64], span: Span) -> bool {
-        let radius = span.ellipse_radius();
-        radius * sum_of_sizes(&u[1..], radius) <= Self::MAX_TERM_RATIO * u[0]
-    }
-
-    /// Whether the linear term alone allows [`RegularSegment::is_zero_free`].
-    pub(super) fn may_be_zero_free(u0: f64, slope: f64, span: Span) -> bool {
-        span.ellipse_radius() * slope.abs() <= Self::MAX_TERM_RATIO * u0
     }
 
     fn whole_time(&self) -> f64 {
@@ -178,7 +179,7 @@ impl RegularSegment {
     }
 }
 
-impl SlideSegment for RegularSegment {
+impl<S: Signs> SlideSegment for RegularSegment<S> {
     #[inline]
     fn u(&self, t: f64) -> f64 {
         match self.exit {

@@ -72,6 +72,51 @@ pub(super) trait SlideSegment {
     fn coefficients(&self, law: &SlidingLaw, z: f64) -> LocalCoefficients {
         LocalCoefficients::new(law, self.angle(z))
     }
+
+    /// The longest step from z, at most `max_step`, that may be the last of Newton's method, of
+    /// which the error of the time is of the second order.
+    #[inline]
+    fn last_step(&self, z: f64, u: f64, step: f64, max_step: f64) -> f64 {
+        if step.abs() >= max_step {
+            return last_digit(z);
+        }
+        let (start, end) = (
+            self.time_slope(z, u),
+            self.time_slope(z + step, self.u(z + step)),
+        );
+        let is_last =
+            (0.5 * step * (start + end) * (end - start)).abs() < MAX_TIME_ERROR * start.abs();
+        if is_last { max_step } else { last_digit(z) }
+    }
+
+    /// The coordinate at a time between those of two others.
+    fn at_time(
+        &self,
+        start: TimedCoordinate,
+        end: TimedCoordinate,
+        elapsed: f64,
+    ) -> TimedCoordinate {
+        let (low, high) = (start.z, end.z);
+        let guess = low + (elapsed - start.elapsed) / (end.elapsed - start.elapsed) * (high - low);
+        let z = Bracket { low, high }.iterate(guess, |z| {
+            let u = self.u(z);
+            let value = elapsed - (start.elapsed + self.time(start.z, z));
+            let step = value / self.time_slope(z, u);
+            RootStep {
+                value,
+                step,
+                last: self.last_step(z, u, step, MAX_LAST_STEP),
+            }
+        });
+        TimedCoordinate { z, elapsed }
+    }
+}
+
+/// A coordinate of a segment, and the time there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TimedCoordinate {
+    pub(super) z: f64,
+    pub(super) elapsed: f64,
 }
 
 /// The equations of a slide at an angle.
@@ -127,9 +172,32 @@ pub(super) struct SegmentContext<'a, S> {
 }
 
 /// A coordinate and a value there.
-struct Sample {
-    z: f64,
-    value: f64,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ValueAt {
+    pub(super) z: f64,
+    pub(super) value: f64,
+}
+
+/// The zero of a function that falls from one value to another, by secants; a step that is not longer
+/// than `last` ends there.
+pub(super) fn falling_zero(
+    low: ValueAt,
+    high: ValueAt,
+    last: f64,
+    function: impl Fn(f64) -> f64,
+) -> f64 {
+    let secant = (low.z * high.value - high.z * low.value) / (high.value - low.value);
+    let bracket = Bracket {
+        low: low.z,
+        high: high.z,
+    };
+    let mut before = high;
+    bracket.iterate(secant, |z| {
+        let value = function(z);
+        let step = value * (before.z - z) / (value - before.value);
+        before = ValueAt { z, value };
+        RootStep { value, step, last }
+    })
 }
 
 impl<S: SlideSegment> SegmentContext<'_, S> {
@@ -226,13 +294,13 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
         // At a zero of η″ rounding would decide whether the minimum is this end.
         let inside = |point: &SlidePoint, other: &SlidePoint| {
             if point.slip_acceleration.abs() > SIGN_TOLERANCE * (1.0 + point.u) {
-                return Sample {
+                return ValueAt {
                     z: point.z,
                     value: -point.slip_acceleration,
                 };
             }
             let z = point.z + ENDPOINT_OFFSET * (other.z - point.z);
-            Sample {
+            ValueAt {
                 z,
                 value: falling(z),
             }
@@ -241,54 +309,17 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
         if low.value < 0.0 || high.value > 0.0 {
             return None;
         }
-        let secant = (low.z * high.value - high.z * low.value) / (high.value - low.value);
-        let bracket = Bracket {
-            low: low.z,
-            high: high.z,
-        };
-        let mut before = high;
-        let z = bracket.iterate(secant, |z| {
-            let value = falling(z);
-            let step = value * (before.z - z) / (value - before.value);
-            before = Sample { z, value };
-            RootStep {
-                value,
-                step,
-                last: MINIMUM_TOLERANCE,
-            }
-        });
+        let z = falling_zero(low, high, MINIMUM_TOLERANCE, falling);
         Some(self.point(start, z))
-    }
-
-    /// The longest step from z, at most `max_step`, that may be the last of Newton's method, of
-    /// which the error of the time is of the second order.
-    fn last_step(&self, z: f64, u: f64, step: f64, max_step: f64) -> f64 {
-        if step.abs() >= max_step {
-            return last_digit(z);
-        }
-        let (start, end) = (
-            self.segment.time_slope(z, u),
-            self.segment.time_slope(z + step, self.segment.u(z + step)),
-        );
-        let is_last =
-            (0.5 * step * (start + end) * (end - start)).abs() < MAX_TIME_ERROR * start.abs();
-        if is_last { max_step } else { last_digit(z) }
     }
 
     /// Where the slide is at a time between those of two points.
     pub(super) fn at_time(&self, start: &SlidePoint, end: &SlidePoint, elapsed: f64) -> SlidePoint {
-        let (low, high) = (start.z, end.z);
-        let guess = low + (elapsed - start.elapsed) / (end.elapsed - start.elapsed) * (high - low);
-        let z = Bracket { low, high }.iterate(guess, |z| {
-            let u = self.segment.u(z);
-            let value = elapsed - (start.elapsed + self.segment.time(start.z, z));
-            let step = value / self.segment.time_slope(z, u);
-            RootStep {
-                value,
-                step,
-                last: self.last_step(z, u, step, MAX_LAST_STEP),
-            }
+        let [start, end] = [start, end].map(|point| TimedCoordinate {
+            z: point.z,
+            elapsed: point.elapsed,
         });
+        let z = self.segment.at_time(start, end, elapsed).z;
         self.point_at(z, self.segment.u(z), elapsed)
     }
 
@@ -326,7 +357,9 @@ impl<S: SlideSegment> SegmentContext<'_, S> {
             RootStep {
                 value: near.slip,
                 step,
-                last: self.last_step(z, near.u, step, MAX_LAST_STEP_TO_REST),
+                last: self
+                    .segment
+                    .last_step(z, near.u, step, MAX_LAST_STEP_TO_REST),
             }
         });
         let point = self.point_next_to(&near, z);

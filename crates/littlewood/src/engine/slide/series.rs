@@ -160,56 +160,50 @@ pub(super) struct TermBound {
     pub(super) max_ratio: f64,
 }
 
-/// The polynomials in z of a body that slides in one direction about an angle.
+/// The linear equation that u obeys, of a slide or of rolling with resistance, about an angle:
+/// M du/dz = `scale` (drive − `factor` damping u) with polynomials in z.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LinearTerms {
+    pub(super) multiplier: [f64; 7],
+    pub(super) scale: f64,
+    pub(super) drive: [f64; 5],
+    pub(super) factor: f64,
+    pub(super) damping: [f64; 5],
+}
+
+/// Its coefficients: (k + 1) u_{k+1} = drive_k − Σ_j ((k + 1) l_j + rest_j) u_{k−j}, with u_k = 0 for
+/// k < 0.
 #[derive(Clone, Debug)]
-pub(super) struct Polynomials {
-    /// n² P.
-    p: [f64; 5],
-    /// n³ P σ η″ = a + b u.
-    a: [f64; 7],
-    b: [f64; 7],
-    /// (k + 1) u_{k+1} = drive_k − Σ_j ((k + 1) l_j + rest_j) u_{k−j}, with u_k = 0 for k < 0.
+pub(super) struct LinearEquation {
     l: [f64; TERMS],
     rest: [f64; TERMS],
     drive: [f64; 5],
 }
 
-impl Polynomials {
-    /// About an angle, for the direction `sigma` of slip.
-    pub(super) fn new(law: &SlidingLaw, sigma: f64, Angle { sin, cos }: Angle) -> Self {
-        let Heavy {
-            mass, h, inertia, ..
-        } = law.body;
-        let (n, nn) = ([1.0, 0.0, 1.0], [1.0, 0.0, 2.0, 0.0, 1.0]);
-        let (s, c) = ([sin, 2.0 * cos, -sin], [cos, -2.0 * sin, -cos]);
-        let q: [f64; 3] = core::array::from_fn(|k| law.q(n[k], s[k], c[k]));
-        let sq: [f64; 5] = product(&s, &q);
-        let p: [f64; 5] = core::array::from_fn(|k| inertia * nn[k] + mass * h * sq[k]);
-        let np: [f64; 7] = product(&p, &n);
-        let cq: [f64; 5] = product(&c, &q);
-        let nq: [f64; 5] = product(&n, &q);
-        let inverse = 1.0 / np[0];
-        let scale = 4.0 * mass * inverse;
-        let l: [f64; TERMS] = core::array::from_fn(|j| np[j + 1] * inverse);
-        let rest: [f64; TERMS] = core::array::from_fn(
-            |j| if j < 5 { scale * h * cq[j] } else { 0.0 } - (j + 1) as f64 * l[j],
-        );
-        // α = A/P and β = B/P of η″ = α + β u.
-        let slip_coefficient: [f64; 3] = core::array::from_fn(|k| n[k] + h * c[k]);
-        let lq: [f64; 5] = product(&slip_coefficient, &q);
-        let a: [f64; 5] =
-            core::array::from_fn(|k| sigma * (mass * lq[k] - law.friction * inertia * nn[k]));
-        let ca: [f64; 7] = product(&c, &a);
-        let sp: [f64; 7] = product(&s, &p);
-        let b = core::array::from_fn(|k| -h * (ca[k] + sigma * sp[k]));
-        let pulled: [f64; 5] = core::array::from_fn(|k| a[k] - sigma * law.body.pull() * p[k]);
+impl LinearEquation {
+    pub(super) fn new(terms: &LinearTerms) -> Self {
+        let LinearTerms {
+            multiplier,
+            scale,
+            drive,
+            factor,
+            damping,
+        } = terms;
+        let inverse = 1.0 / multiplier[0];
+        let scale = scale * inverse;
+        let l: [f64; TERMS] = core::array::from_fn(|j| multiplier[j + 1] * inverse);
+        let rest = core::array::from_fn(|j| {
+            let damped = if j < 5 {
+                scale * factor * damping[j]
+            } else {
+                0.0
+            };
+            damped - (j + 1) as f64 * l[j]
+        });
         Self {
-            p,
-            a: product(&pulled, &n),
-            b,
             l,
             rest,
-            drive: nq.map(|c| scale * c),
+            drive: drive.map(|c| scale * c),
         }
     }
 
@@ -243,20 +237,19 @@ impl Polynomials {
         }
         u
     }
+}
 
-    /// n² P in powers of t = z/width.
-    pub(super) fn p(&self, width: f64) -> [f64; 5] {
-        scaled(self.p, width)
-    }
+/// A number a + b u, with polynomials in z.
+#[derive(Clone, Debug)]
+pub(super) struct LinearForm {
+    pub(super) a: [f64; 7],
+    pub(super) b: [f64; 7],
+}
 
+impl LinearForm {
     /// So much of a, and b u, in powers of t = z/width, where u is given in them.
     #[inline(always)]
-    pub(super) fn slip_acceleration(
-        &self,
-        u: &Series,
-        width: f64,
-        part_of_a: f64,
-    ) -> TruncatedPolynomial {
+    pub(super) fn on(&self, u: &Series, width: f64, part_of_a: f64) -> TruncatedPolynomial {
         let b = scaled(self.b, width);
         // Sums of the sizes of the coefficients of u from each on.
         let mut rest = 0.0;
@@ -280,22 +273,98 @@ impl Polynomials {
     }
 }
 
-/// A slide about an angle.
+/// What is known of the solutions of one family about an angle.
+pub(super) trait Family {
+    /// The signs of the numbers that decide on events.
+    type Signs: Signs;
+
+    /// The signs up to a width, from u in powers of t = z/width. Where what decides vanishes at t = 0
+    /// (`from_zero`), those behind that. None where the equation is not known to be regular.
+    fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<Self::Signs>;
+}
+
+pub(super) trait Signs: Clone {
+    /// Whether an event can neither be found nor excluded.
+    fn are_unknown(&self) -> bool;
+}
+
+impl Signs for SlipSigns {
+    fn are_unknown(&self) -> bool {
+        self.pattern == SignPattern::Unknown
+    }
+}
+
+/// The polynomials in z of a body that slides in one direction about an angle.
 #[derive(Clone, Debug)]
-pub(super) struct Expansion {
+pub(super) struct SlidePolynomials {
+    /// n² P.
+    p: [f64; 5],
+    /// n³ P σ η″.
+    pub(super) slip_acceleration: LinearForm,
+    pub(super) equation: LinearEquation,
+}
+
+impl SlidePolynomials {
+    /// About an angle, for the direction `sigma` of slip.
+    pub(super) fn new(law: &SlidingLaw, sigma: f64, Angle { sin, cos }: Angle) -> Self {
+        let Heavy {
+            mass, h, inertia, ..
+        } = law.body;
+        let (n, nn) = ([1.0, 0.0, 1.0], [1.0, 0.0, 2.0, 0.0, 1.0]);
+        let (s, c) = ([sin, 2.0 * cos, -sin], [cos, -2.0 * sin, -cos]);
+        let q: [f64; 3] = core::array::from_fn(|k| law.q(n[k], s[k], c[k]));
+        let sq: [f64; 5] = product(&s, &q);
+        let p: [f64; 5] = core::array::from_fn(|k| inertia * nn[k] + mass * h * sq[k]);
+        let equation = LinearEquation::new(&LinearTerms {
+            multiplier: product(&p, &n),
+            scale: 4.0 * mass,
+            drive: product(&n, &q),
+            factor: h,
+            damping: product(&c, &q),
+        });
+        // α = A/P and β = B/P of η″ = α + β u.
+        let slip_coefficient: [f64; 3] = core::array::from_fn(|k| n[k] + h * c[k]);
+        let lq: [f64; 5] = product(&slip_coefficient, &q);
+        let a: [f64; 5] =
+            core::array::from_fn(|k| sigma * (mass * lq[k] - law.friction * inertia * nn[k]));
+        let ca: [f64; 7] = product(&c, &a);
+        let sp: [f64; 7] = product(&s, &p);
+        let b = core::array::from_fn(|k| -h * (ca[k] + sigma * sp[k]));
+        let pulled: [f64; 5] = core::array::from_fn(|k| a[k] - sigma * law.body.pull() * p[k]);
+        Self {
+            p,
+            slip_acceleration: LinearForm {
+                a: product(&pulled, &n),
+                b,
+            },
+            equation,
+        }
+    }
+
+    /// n² P in powers of t = z/width.
+    pub(super) fn p(&self, width: f64) -> [f64; 5] {
+        scaled(self.p, width)
+    }
+}
+
+/// A solution about an angle: a slide, or rolling with resistance.
+#[derive(Clone, Debug)]
+pub(super) struct Expansion<F = SlidePolynomials> {
     /// u in powers of z.
     pub(super) u: Series,
-    polynomials: Polynomials,
+    pub(super) family: F,
 }
 
 impl Expansion {
     /// The slide in the direction `sigma` of slip through an angle with this u.
     pub(super) fn new(law: &SlidingLaw, sigma: f64, angle: Angle, u: f64) -> Self {
-        let polynomials = Polynomials::new(law, sigma, angle);
-        let [u] = polynomials.solutions([InitialValue { u, drive: 1.0 }]);
-        Self { u, polynomials }
+        let family = SlidePolynomials::new(law, sigma, angle);
+        let [u] = family.equation.solutions([InitialValue { u, drive: 1.0 }]);
+        Self { u, family }
     }
+}
 
+impl<F> Expansion<F> {
     /// The width in z on which u/z^`lead`, of which u has the factor, has converged.
     pub(super) fn convergence_radius(&self, lead: usize) -> f64 {
         convergence_radius(&self.u, lead, self.u[lead].abs())
@@ -358,17 +427,18 @@ impl Expansion {
         let width = if sum <= max_sum { farther } else { secant() } / stretch;
         (width > 0.0).then_some(width)
     }
+}
 
-    /// The signs of σ η″ up to a width, from u in powers of t = z/width. Where η″ = 0 at t = 0
-    /// (`from_zero`), those behind that, which are the signs of η″/t. None where P is not known to
-    /// be positive.
-    pub(super) fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<SlipSigns> {
-        let min_p = min_value(self.polynomials.p(width));
+impl Family for SlidePolynomials {
+    type Signs = SlipSigns;
+
+    /// Of σ η″, or where that is zero at t = 0, of η″/t; none where P is not known to be positive.
+    fn signs(&self, u: &Series, width: f64, from_zero: bool) -> Option<SlipSigns> {
+        let min_p = min_value(self.p(width));
         if min_p <= 0.0 {
             return None;
         }
-        let TruncatedPolynomial { mut low, remainder } =
-            self.polynomials.slip_acceleration(u, width, 1.0);
+        let TruncatedPolynomial { mut low, remainder } = self.slip_acceleration.on(u, width, 1.0);
         if from_zero {
             // What is left of the first coefficient is the rounding of the start.
             low.rotate_left(1);
@@ -383,11 +453,25 @@ impl Expansion {
 }
 
 impl TruncatedPolynomial {
+    /// a + u b with u > 0, or with either sign.
+    #[inline(always)]
+    pub(super) fn of(a: &Self, b: &Self, u: f64) -> Self {
+        Self {
+            low: core::array::from_fn(|k| a.low[k] + u * b.low[k]),
+            remainder: a.remainder + u.abs() * b.remainder,
+        }
+    }
+
+    /// The signs of a function with these Bernstein coefficients.
+    pub(super) fn pattern(&self) -> SignPattern {
+        sign_pattern(&self.low, self.remainder)
+    }
+
     /// The signs of σ η″ from n³ P σ η″ with Bernstein coefficients, where P is nowhere less than
     /// `min_p`.
     pub(super) fn slip_signs(&self, min_p: f64) -> SlipSigns {
         SlipSigns {
-            pattern: sign_pattern(&self.low, self.remainder),
+            pattern: self.pattern(),
             sign_uncertainty: sign_uncertainty(self.remainder, min_p),
         }
     }

@@ -16,9 +16,9 @@ use super::regular::{RegularSegment, Span};
 use super::segment::{SIGN_TOLERANCE, SegmentContext, SlidePoint, SlideSegment, slip_scale};
 use super::series::{Expansion, SignPattern, SlipSigns};
 use super::table::{
-    AngleInterval, Crossing, Edge, HALVINGS, INTERVALS, SlideTables, edge_angle_near,
+    AngleInterval, Crossing, Edge, HALVINGS, INTERVALS, SlideTables, coarsest, edge_angle_near,
 };
-use super::turning::TurningSegment;
+use super::turning::{TurningSegment, turning_near};
 use super::{SlideEnd, SlideEvent};
 
 /// Most segments: a slide over more than some 16 turns is left to the exact solver, which sums
@@ -37,35 +37,30 @@ const MIN_PERIODS_TO_SKIP: f64 = 2.0;
 /// A point is the same after a period if its angle is the same to this.
 const PERIOD_TOLERANCE: f64 = 1e-12;
 
-/// A turning point nearer than this part of the width on which u has converged is the centre of the
-/// next segment.
-const MAX_TURN_DISTANCE: f64 = 0.7;
-
-/// A turning point behind is the centre of the next segment if it is nearer than this part of the
-/// segment.
-const MAX_PART_BEHIND_TURN: f64 = 0.5;
-
-/// An interval has no table for slides whose u would double within this z; each halving of the
-/// interval doubles the slope that is allowed.
-const MIN_DOUBLING_DISTANCE: f64 = 0.25;
-
 /// The frame in which the angle of a slide grows, perhaps mirrored.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::engine) struct MotionFrame<'a> {
-    /// The equations for σ = −1 and σ = +1, as they are and mirrored.
-    pub(in crate::engine) laws: &'a [[SlidingLaw; 2]; 2],
+    pub(in crate::engine) laws: &'a SlideLaws,
     /// −1 where the frame is mirrored.
     pub(in crate::engine) mirror: f64,
+    /// Whether the slide turns against the frame, the angle falling. Only rolling resistance tells.
+    pub(in crate::engine) is_against: bool,
     pub(in crate::engine) theta: f64,
     /// Sign of η′.
     pub(in crate::engine) sigma: f64,
     pub(in crate::engine) integral: f64,
 }
 
+/// The equations of slides with the frame and against it; of each for σ = −1 and σ = +1, as they are
+/// and mirrored.
+pub(in crate::engine) type SlideLaws = [[[SlidingLaw; 2]; 2]; 2];
+
 impl MotionFrame<'_> {
+    /// The same slide in the frame that is the mirror image.
     fn mirrored(self) -> Self {
         Self {
             laws: self.laws,
+            is_against: !self.is_against,
             mirror: -self.mirror,
             theta: -self.theta,
             sigma: -self.sigma,
@@ -74,7 +69,8 @@ impl MotionFrame<'_> {
     }
 
     const fn law(&self) -> &SlidingLaw {
-        &self.laws[if self.mirror < 0.0 { 1 } else { 0 }][if self.sigma > 0.0 { 1 } else { 0 }]
+        let laws = &self.laws[self.is_against as usize];
+        &laws[if self.mirror < 0.0 { 1 } else { 0 }][if self.sigma > 0.0 { 1 } else { 0 }]
     }
 
     /// By how much σ η′ is smaller at the same angle after this time.
@@ -112,6 +108,8 @@ enum SegmentEnd {
     Rest,
     /// w = 0.
     LiftOff,
+    /// θ′ = 0, where rolling resistance changes its sign.
+    Turn,
     /// By the time limit.
     Cut,
 }
@@ -257,8 +255,7 @@ impl<'a> Slide<'a> {
         let (Angle { sin, cos }, law) = (point.angle, frame.law());
         // du/dz: where u is steep intervals must be narrow, or there is none.
         let slope = 2.0 * law.u_growth(sin, cos) * contact(1.0, law.body.h, cos * point.u);
-        let min_halvings = (0..=HALVINGS)
-            .find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= point.u * (1_u32 << k) as f64)?;
+        let min_halvings = coarsest(slope, point.u)?;
         for halvings in min_halvings..=HALVINGS {
             for interval in AngleInterval::about(frame.theta, halvings) {
                 let table = tables.get(law, frame.sigma, interval);
@@ -299,7 +296,7 @@ impl<'a> Slide<'a> {
             } = crossing;
             // Where an interval was too wide for this slide the next one probably is, too.
             min_halvings = interval.halvings.saturating_sub(1);
-            let time = table.time(u_centre);
+            let time = table.solutions.time(u_centre);
             let exit = exit_point(&frame, &crossing, self.point.elapsed + time);
             let next = Some(interval.exit());
             let signs = table.signs(u_centre);
@@ -420,7 +417,11 @@ impl<'a> Slide<'a> {
             return Err(Fallback::TurningPoint);
         }
         let context = frame.context(segment);
-        let found = find_event_on_turning(&context, start, stays)?;
+        let found = if frame.law().resistance == 0.0 {
+            find_event_on_turning(&context, start, stays)?
+        } else {
+            find_event_with_resistance(&context, start, *is_ahead, stays)?
+        };
         let result = self.cut(&context, start, found);
         let point = result.point;
         if *is_ahead && point.z > 0.0 {
@@ -485,10 +486,10 @@ impl<'a> Slide<'a> {
             turning_points: self.turning_points,
         };
         let event = event.mirrored_by(self.frame.mirror);
-        if *end == SegmentEnd::Cut {
-            SlideEnd::Cut(event)
-        } else {
-            SlideEnd::Event(event)
+        match end {
+            SegmentEnd::Cut => SlideEnd::Cut(event),
+            SegmentEnd::Turn => SlideEnd::Turn(event),
+            SegmentEnd::Open | SegmentEnd::Rest | SegmentEnd::LiftOff => SlideEnd::Event(event),
         }
     }
 
@@ -562,7 +563,8 @@ impl<'a> Slide<'a> {
         let is_rotation = period.delta_theta != 0.0;
         let periods_left = (self.time_left - elapsed) / period.duration;
         let periods = (self.min_slip / loss).min(periods_left);
-        if loss <= 0.0 && (!is_rotation || law.friction == 0.0) {
+        let is_conservative = law.friction == 0.0 && law.resistance == 0.0;
+        if loss <= 0.0 && (!is_rotation || is_conservative) {
             // η′ is no less after each period: there is no event at all.
             if periods_left == f64::INFINITY {
                 return Ok(Some(SlideEnd::Never));
@@ -678,6 +680,32 @@ fn find_event_on_turning(
     }
 }
 
+/// The same with rolling resistance: the slide ends at a turning point ahead, and begins at one
+/// behind.
+fn find_event_with_resistance(
+    context: &SegmentContext<'_, TurningSegment>,
+    start: &SlidePoint,
+    is_ahead: bool,
+    stays: bool,
+) -> Result<SegmentResult, Fallback> {
+    let signs = context.segment.signs;
+    if !is_ahead {
+        return find_event(context, start, 1.0, stays, signs);
+    }
+    let reversed = SlipSigns {
+        pattern: signs.pattern.reversed(),
+        ..signs
+    };
+    let result = find_event(context, start, 0.0, true, reversed)?;
+    Ok(match result.end {
+        SegmentEnd::Open => SegmentResult {
+            end: SegmentEnd::Turn,
+            ..result
+        },
+        SegmentEnd::Rest | SegmentEnd::LiftOff | SegmentEnd::Turn | SegmentEnd::Cut => result,
+    })
+}
+
 /// The first event on a segment from a point to the coordinate `to`, or the point there. `stays` if
 /// the normal force cannot vanish.
 fn find_event<S: SlideSegment>(
@@ -779,36 +807,29 @@ fn turning_segment_near<'a>(
     point: &SlidePoint,
     expansion: &Expansion,
 ) -> Option<TurningEntry<'a>> {
-    let convergence_radius = expansion.convergence_radius(0);
-    if point.u > MAX_TURN_DISTANCE * convergence_radius * expansion.u[1].abs() {
-        return None;
-    }
-    let distance = expansion.zero(convergence_radius)?.abs();
     let is_ahead = expansion.u[1] < 0.0;
     // Behind a turning point, the frame before it is mirrored.
-    let (frame, angle) = if is_ahead {
-        (*frame, point.angle)
-    } else {
-        (frame.mirrored(), point.angle.mirrored())
-    };
+    let frame = if is_ahead { *frame } else { frame.mirrored() };
     let behind = frame.mirrored();
-    let turning_angle = angle.plus(Angle::of_half_tangent(distance)).mirrored();
-    let expansion = Expansion::new(behind.law(), behind.sigma, turning_angle, 0.0);
-    let segment = TurningSegment::new(&expansion, turning_angle)?;
-    let part = distance / segment.width;
-    // Behind the turning point a regular segment leads farther than the rest of this one.
-    let (z, max_part) = if is_ahead {
-        (-part.sqrt(), 1.0)
+    let place = turning_near(point.angle, expansion, |_, turning_angle| {
+        Expansion::new(behind.law(), behind.sigma, turning_angle, 0.0)
+    })?;
+    let angle = if is_ahead {
+        point.angle
     } else {
-        (part.sqrt(), MAX_PART_BEHIND_TURN)
+        point.angle.mirrored()
     };
-    (part < max_part).then_some(TurningEntry {
+    Some(TurningEntry {
         frame: MotionFrame {
-            theta: frame.theta + 2.0 * libm::atan(distance),
+            theta: frame.theta + 2.0 * libm::atan(place.distance),
             ..frame
         },
-        start: SlidePoint { z, angle, ..*point },
-        segment,
+        start: SlidePoint {
+            z: place.y,
+            angle,
+            ..*point
+        },
+        segment: place.segment,
         is_ahead,
     })
 }

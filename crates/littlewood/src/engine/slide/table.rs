@@ -16,9 +16,9 @@ use crate::mechanics::SlidingLaw;
 use super::regular::{KnownTime, RegularSegment, SegmentExit, Span};
 use super::segment::{LocalCoefficients, SlidePoint};
 use super::series::{
-    CONVERGENCE, InitialValue, Polynomials, Series, SignPattern, SlipSigns, TruncatedPolynomial,
-    bernstein, convergence_radius, from_both_sides, min_value, scaled, sign_uncertainty,
-    sum_of_sizes, value,
+    CONVERGENCE, InitialValue, LinearEquation, LinearForm, Series, Signs, SlidePolynomials,
+    SlipSigns, TruncatedPolynomial, bernstein, convergence_radius, from_both_sides, min_value,
+    scaled, sign_uncertainty, sum_of_sizes, value,
 };
 
 /// The number of coarsest intervals in a turn.
@@ -30,6 +30,10 @@ pub(super) const HALVINGS: usize = 5;
 
 /// The finest intervals of a turn. Angles at which intervals begin are counted in these.
 const EDGE_COUNT: usize = INTERVALS << HALVINGS;
+
+/// An interval has no table for motions whose u would double within this z; each halving of the
+/// interval doubles the slope that is allowed.
+const MIN_DOUBLING_DISTANCE: f64 = 0.25;
 
 /// A segment in a table is not shorter, in t.
 const MIN_LENGTH: f64 = 1e-9;
@@ -56,30 +60,38 @@ struct Nodes {
     weight: [f64; NODES],
 }
 
-/// All slides in one direction about an angle, with the coordinate t = z/width from −1 to 1.
+/// All slides in one direction about an angle.
 #[derive(Clone, Debug)]
 pub(super) struct SlideTable {
-    /// At the centre.
-    angle: Angle,
-    /// z at t = 1: twice as far from the centre as the end of the interval, or as far as the series
-    /// converge.
-    width: f64,
-    p: Series,
-    h: Series,
-    /// The even degree at which these are truncated, and the one that suffices on the interval.
-    degree: usize,
-    interval_degree: usize,
+    pub(super) solutions: SolutionTable,
     /// n³ P σ η″ = a + u_c b in Bernstein form.
     a: TruncatedPolynomial,
     b: TruncatedPolynomial,
     /// P is nowhere less.
     min_p: f64,
+    exit_coefficients: LocalCoefficients,
+}
+
+/// All solutions of a linear equation about an angle, with the coordinate t = z/width from −1 to 1.
+#[derive(Clone, Debug)]
+pub(super) struct SolutionTable {
+    /// At the centre.
+    pub(super) angle: Angle,
+    /// z at t = 1: twice as far from the centre as the end of the interval, or as far as the series
+    /// converge.
+    pub(super) width: f64,
+    pub(super) p: Series,
+    pub(super) h: Series,
+    /// The even degree at which these are truncated, and the one that suffices on the interval.
+    degree: usize,
+    interval_degree: usize,
     /// t at the end of the interval.
-    end: f64,
+    pub(super) end: f64,
+    /// At the end of the interval.
+    pub(super) exit_angle: Angle,
     /// u at the ends of the interval.
     entry: Linear,
     exit: Linear,
-    exit_coefficients: LocalCoefficients,
     nodes: Nodes,
     /// Sum of the sizes of the terms of u, from the linear one on, up to the ellipse on which u has
     /// no zero if they are small.
@@ -95,6 +107,14 @@ pub(super) struct AngleInterval {
 }
 
 impl AngleInterval {
+    /// The coarsest, of a whole turn.
+    pub(super) fn all() -> impl Iterator<Item = Self> {
+        (0..INTERVALS).map(|number| Self {
+            halvings: 0,
+            number,
+        })
+    }
+
     const fn count(self) -> usize {
         INTERVALS << self.halvings
     }
@@ -123,6 +143,11 @@ impl AngleInterval {
         }
     }
 
+    /// The angle in its middle.
+    pub(super) fn centre(self) -> Angle {
+        Angle::of((self.number as f64 + 0.5) * self.width())
+    }
+
     /// The angle at its end.
     pub(super) fn end(self) -> f64 {
         (self.number + 1) as f64 * self.width()
@@ -144,24 +169,66 @@ impl AngleInterval {
     }
 }
 
+/// How often the intervals with a table for a motion must be halved at least, from du/dz; none where
+/// there is no table.
+#[inline(always)]
+pub(super) fn coarsest(slope: f64, u: f64) -> Option<usize> {
+    (0..=HALVINGS).find(|k| MIN_DOUBLING_DISTANCE * slope.abs() <= u * (1_u32 << k) as f64)
+}
+
 /// The angle of an edge, in the turn of another angle.
 pub(super) fn edge_angle_near(edge: usize, theta: f64) -> f64 {
     let angle = edge as f64 * (TAU / EDGE_COUNT as f64);
     angle + TAU * ((theta - angle) / TAU + 0.5).floor()
 }
 
-type LazyTables = [OnceLock<Option<Box<SlideTable>>>];
+type LazyTables<T> = [OnceLock<Option<Box<T>>>];
 
-/// The tables of one hoop, made when a slide first needs them, and the same whichever slide that
+/// A table for each interval, made when a motion first needs it, and the same whichever motion that
 /// is.
+#[derive(Clone, Debug)]
+pub(super) struct LazyGrid<T>([OnceLock<Box<LazyTables<T>>>; HALVINGS + 1]);
+
+impl<T> Default for LazyGrid<T> {
+    fn default() -> Self {
+        Self([const { OnceLock::new() }; HALVINGS + 1])
+    }
+}
+
+impl<T> LazyGrid<T> {
+    /// The table of an interval, if there is one.
+    #[inline(always)]
+    pub(super) fn get(
+        &self,
+        interval: AngleInterval,
+        make: impl FnOnce() -> Option<T>,
+    ) -> Option<&T> {
+        let tables = self.0[interval.halvings]
+            .get_or_init(|| (0..interval.count()).map(|_| OnceLock::new()).collect());
+        tables[interval.number]
+            .get_or_init(|| make().map(Box::new))
+            .as_deref()
+    }
+}
+
+/// The tables of the slides of one hoop.
 #[derive(Clone, Debug, Default)]
-pub(in crate::engine) struct SlideTables([[OnceLock<Box<LazyTables>>; HALVINGS + 1]; 4]);
+pub(in crate::engine) struct SlideTables([LazyGrid<SlideTable>; 4]);
 
 /// An edge of the grid, and the coarsest interval that a slide may cross from it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub(super) index: usize,
     pub(super) min_halvings: usize,
+}
+
+impl Edge {
+    /// The intervals that begin there, the coarsest first.
+    #[inline(always)]
+    pub(super) fn intervals(self) -> impl Iterator<Item = AngleInterval> {
+        (self.min_halvings..=HALVINGS)
+            .filter_map(move |halvings| AngleInterval::at(self.index, halvings))
+    }
 }
 
 /// A slide across one interval.
@@ -171,6 +238,12 @@ pub(super) struct Crossing<'a> {
     pub(super) table: &'a SlideTable,
     pub(super) u_centre: f64,
     pub(super) u_exit: f64,
+}
+
+/// A segment from a table, with the coordinate at which a solution enters it.
+pub(super) struct Entrance<S> {
+    pub(super) z: f64,
+    pub(super) segment: RegularSegment<S>,
 }
 
 /// A segment from a table, and the point at which the slide enters it.
@@ -189,12 +262,7 @@ impl SlideTables {
         interval: AngleInterval,
     ) -> Option<&SlideTable> {
         let which = usize::from(sigma > 0.0) + 2 * usize::from(law.body.tilt > 0.0);
-        let tables = &self.0[which][interval.halvings];
-        let tables =
-            tables.get_or_init(|| (0..interval.count()).map(|_| OnceLock::new()).collect());
-        tables[interval.number]
-            .get_or_init(|| SlideTable::new(law, sigma, interval).map(Box::new))
-            .as_deref()
+        self.0[which].get(interval, || SlideTable::new(law, sigma, interval))
     }
 
     /// The crossing, by a slide with this u, of the coarsest interval from an edge that it crosses.
@@ -205,15 +273,14 @@ impl SlideTables {
         edge: Edge,
         u: f64,
     ) -> Option<Crossing<'_>> {
-        (edge.min_halvings..=HALVINGS).find_map(|halvings| {
-            let interval = AngleInterval::at(edge.index, halvings)?;
+        edge.intervals().find_map(|interval| {
             let table = self.get(law, sigma, interval)?;
-            let u_centre = table.u_centre_from_entry(u)?;
+            let u_centre = table.solutions.u_centre_from_entry(u)?;
             Some(Crossing {
                 interval,
                 table,
                 u_centre,
-                u_exit: table.exit.at(u_centre),
+                u_exit: table.solutions.exit(u_centre),
             })
         })
     }
@@ -233,14 +300,16 @@ fn common_degree(p: &Series, h: &Series, t: f64) -> usize {
     degree(p).max(degree(h)).next_multiple_of(2)
 }
 
-impl SlideTable {
-    /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not
-    /// known to be positive, and where the series do not reach over the interval.
-    fn new(law: &SlidingLaw, sigma: f64, interval: AngleInterval) -> Option<Self> {
-        let angle = Angle::of((interval.number as f64 + 0.5) * interval.width());
-        let polynomials = Polynomials::new(law, sigma, angle);
+impl SolutionTable {
+    /// About an angle for an interval of the grid around it. None where the series do not reach over
+    /// the interval.
+    pub(super) fn new(
+        equation: &LinearEquation,
+        angle: Angle,
+        interval: AngleInterval,
+    ) -> Option<Self> {
         // p with the drive and p = 0 at the centre, h without it and h = 1.
-        let [p, h] = polynomials.solutions([
+        let [p, h] = equation.solutions([
             InitialValue { u: 0.0, drive: 1.0 },
             InitialValue { u: 1.0, drive: 0.0 },
         ]);
@@ -251,18 +320,10 @@ impl SlideTable {
         let width = convergence_radius(&p, 0, size)
             .min(convergence_radius(&h, 0, 1.0))
             .min(max_width);
-        let [p, h] = [p, h].map(|series| scaled(series, width));
-        let min_p = min_value(from_both_sides(polynomials.p(width)));
-        if !(min_p > 0.0 && width > half) {
+        if width.is_nan() || width <= half {
             return None;
         }
-        let slip_acceleration = |u: &Series, part_of_a: f64| {
-            let sum = polynomials.slip_acceleration(u, width, part_of_a);
-            TruncatedPolynomial {
-                low: bernstein(from_both_sides(sum.low)),
-                ..sum
-            }
-        };
+        let [p, h] = [p, h].map(|series| scaled(series, width));
         let at = |t: f64| Linear {
             p: value(&p, t),
             h: value(&h, t),
@@ -280,16 +341,10 @@ impl SlideTable {
             width,
             degree: common_degree(&p, &h, 1.0),
             interval_degree: common_degree(&p, &h, end),
-            a: slip_acceleration(&p, 1.0),
-            b: slip_acceleration(&h, 0.0),
-            min_p,
             end,
+            exit_angle: angle.plus(Angle::of_half_tangent(half)),
             entry: at(-end),
             exit: at(end),
-            exit_coefficients: LocalCoefficients::new(
-                law,
-                angle.plus(Angle::of_half_tangent(half)),
-            ),
             nodes: Nodes {
                 p: nodes.map(|node| node.p),
                 h: nodes.map(|node| node.h),
@@ -304,13 +359,24 @@ impl SlideTable {
         })
     }
 
+    /// A number a + b u on the table, as two parts in Bernstein form.
+    pub(super) fn on_table(&self, form: &LinearForm) -> [TruncatedPolynomial; 2] {
+        [(&self.p, 1.0), (&self.h, 0.0)].map(|(u, part_of_a)| {
+            let sum = form.on(u, self.width, part_of_a);
+            TruncatedPolynomial {
+                low: bernstein(from_both_sides(sum.low)),
+                ..sum
+            }
+        })
+    }
+
     /// t at an angle.
     fn coordinate(&self, angle: Angle) -> f64 {
         let turned = angle.minus(self.angle);
         turned.sin / ((1.0 + turned.cos) * self.width)
     }
 
-    /// u_c of a slide with this u at an angle on the table.
+    /// u_c of a solution with this u at an angle on the table.
     pub(super) fn u_centre(&self, angle: Angle, u: f64) -> f64 {
         self.u_centre_at(self.coordinate(angle), self.degree, u)
     }
@@ -321,7 +387,7 @@ impl SlideTable {
         (u - at(&self.p)) / at(&self.h)
     }
 
-    /// u_c of a slide with this u at the beginning of the interval.
+    /// u_c of a solution with this u at the beginning of the interval.
     pub(super) fn u_centre_of_entry(&self, u: f64) -> f64 {
         (u - self.entry.p) / self.entry.h
     }
@@ -331,18 +397,19 @@ impl SlideTable {
         self.exit.at(u_centre)
     }
 
-    /// The same. None where u is not known to stay away from zero.
-    fn u_centre_from_entry(&self, u: f64) -> Option<f64> {
+    /// u_c from u at the entry. None where u is not known to stay away from zero.
+    pub(super) fn u_centre_from_entry(&self, u: f64) -> Option<f64> {
         let u_centre = self.u_centre_of_entry(u);
         self.is_zero_free(u_centre).then_some(u_centre)
     }
 
-    /// Whether u of a slide stays away from zero on the interval by the sizes of its terms.
+    /// Whether u of a solution stays away from zero on the interval by the sizes of its terms.
     fn is_zero_free(&self, u_centre: f64) -> bool {
         u_centre > 0.0 && self.terms.at(u_centre) <= RegularSegment::MAX_TERM_RATIO * u_centre
     }
 
     /// The time from the beginning of the interval to its end.
+    #[inline(always)]
     pub(super) fn time(&self, u_centre: f64) -> f64 {
         let Nodes { p, h, weight } = &self.nodes;
         let mut sum = 0.0;
@@ -350,6 +417,124 @@ impl SlideTable {
             sum += weight[j] / (p[j] + u_centre * h[j]).sqrt();
         }
         sum
+    }
+
+    /// u of a solution at a coordinate.
+    #[cfg(test)]
+    pub(super) fn u_at(&self, u_centre: f64, t: f64) -> f64 {
+        value(&self.p, t) + u_centre * value(&self.h, t)
+    }
+
+    /// u of a solution in powers of t.
+    #[inline(always)]
+    fn u(&self, u_centre: f64) -> Series {
+        core::array::from_fn(|k| self.p[k] + u_centre * self.h[k])
+    }
+
+    /// The segment from a point to the end of the interval, or half as far, with its signs from u_c.
+    /// None if the point lies elsewhere, where u is not known to stay away from zero, and where the
+    /// signs are unknown.
+    #[inline(always)]
+    pub(super) fn enter<S: Signs>(
+        &self,
+        angle: Angle,
+        u: f64,
+        signs: impl FnOnce(f64) -> S,
+        exit: impl FnOnce(f64) -> Option<SegmentExit>,
+    ) -> Option<Entrance<S>> {
+        let z = self.coordinate(angle);
+        if !(z >= -1.0 && z < self.end - MIN_LENGTH) {
+            return None;
+        }
+        let is_on_interval = z >= -self.end;
+        let degree = if is_on_interval {
+            self.interval_degree
+        } else {
+            self.degree
+        };
+        let u_centre = self.u_centre_at(z, degree, u);
+        let slope = self.p[1] + u_centre * self.h[1];
+        let span = |end: f64| Span { start: z, end };
+        // Most intervals that fail do so by the slope, which costs one product.
+        let may_be_zero_free =
+            |end: &f64| RegularSegment::may_be_zero_free(u_centre, slope, span(*end));
+        let mut ends = [self.end, 0.5 * (z + self.end)].into_iter();
+        ends.clone().find(may_be_zero_free)?;
+        let signs = signs(u_centre);
+        if signs.are_unknown() {
+            return None;
+        }
+        let u = self.u(u_centre);
+        // The ellipse about a part of the interval lies in the disc of the sizes of its terms.
+        let is_known = is_on_interval && self.is_zero_free(u_centre);
+        let is_zero_free = |end: &f64| {
+            let by_terms = || RegularSegment::is_zero_free(&u[..=degree], span(*end));
+            may_be_zero_free(end) && (is_known || by_terms())
+        };
+        let end = ends.find(is_zero_free)?;
+        Some(Entrance {
+            z,
+            segment: RegularSegment {
+                width: self.width,
+                u,
+                degree,
+                signs,
+                angle: self.angle,
+                end,
+                known_time: None,
+                exit: if end == self.end {
+                    exit(u_centre)
+                } else {
+                    None
+                },
+            },
+        })
+    }
+
+    /// The whole interval, for a solution that crosses it in this time.
+    #[inline(always)]
+    pub(super) fn whole<S>(
+        &self,
+        u_centre: f64,
+        time: f64,
+        signs: S,
+        exit: Option<SegmentExit>,
+    ) -> RegularSegment<S> {
+        RegularSegment {
+            width: self.width,
+            u: self.u(u_centre),
+            degree: self.interval_degree,
+            signs,
+            angle: self.angle,
+            end: self.end,
+            known_time: Some(KnownTime {
+                from: -self.end,
+                time,
+            }),
+            exit,
+        }
+    }
+}
+
+impl SlideTable {
+    /// The slides with the direction `sigma` of slip in the frame of motion. None where P is not
+    /// known to be positive, and where the series do not reach over the interval.
+    fn new(law: &SlidingLaw, sigma: f64, interval: AngleInterval) -> Option<Self> {
+        let angle = interval.centre();
+        let polynomials = SlidePolynomials::new(law, sigma, angle);
+        let solutions = SolutionTable::new(&polynomials.equation, angle, interval)?;
+        let min_p = min_value(from_both_sides(polynomials.p(solutions.width)));
+        if min_p.is_nan() || min_p <= 0.0 {
+            return None;
+        }
+        let [a, b] = solutions.on_table(&polynomials.slip_acceleration);
+        Some(Self {
+            a,
+            b,
+            min_p,
+            exit_coefficients: LocalCoefficients::new(law, solutions.exit_angle),
+            solutions,
+        })
     }
 
     pub(super) const fn exit_coefficients(&self) -> &LocalCoefficients {
@@ -365,25 +550,19 @@ impl SlideTable {
         time: f64,
         signs: SlipSigns,
     ) -> TableSegment {
-        let from = -self.end;
+        let exit = Some(self.segment_exit(u_centre));
         TableSegment {
-            start: SlidePoint { z: from, ..*start },
-            segment: RegularSegment {
-                width: self.width,
-                u: self.u(u_centre),
-                degree: self.interval_degree,
-                signs,
-                angle: self.angle,
-                end: self.end,
-                known_time: Some(KnownTime { from, time }),
-                exit: Some(self.segment_exit(u_centre)),
+            start: SlidePoint {
+                z: -self.solutions.end,
+                ..*start
             },
+            segment: self.solutions.whole(u_centre, time, signs, exit),
         }
     }
 
     fn segment_exit(&self, u_centre: f64) -> SegmentExit {
         SegmentExit {
-            u: self.exit.at(u_centre),
+            u: self.solutions.exit(u_centre),
             coefficients: self.exit_coefficients,
         }
     }
@@ -392,63 +571,21 @@ impl SlideTable {
     /// point lies elsewhere, where u is not known to stay away from zero, and where η″ may change
     /// its sign twice.
     pub(super) fn enter(&self, point: &SlidePoint) -> Option<TableSegment> {
-        let z = self.coordinate(point.angle);
-        if !(z >= -1.0 && z < self.end - MIN_LENGTH) {
-            return None;
-        }
-        let is_on_interval = z >= -self.end;
-        let degree = if is_on_interval {
-            self.interval_degree
-        } else {
-            self.degree
-        };
-        let u_centre = self.u_centre_at(z, degree, point.u);
-        let slope = self.p[1] + u_centre * self.h[1];
-        let span = |end: f64| Span { start: z, end };
-        // Most intervals that fail do so by the slope, which costs one product.
-        let may_be_zero_free =
-            |end: &f64| RegularSegment::may_be_zero_free(u_centre, slope, span(*end));
-        let mut ends = [self.end, 0.5 * (z + self.end)].into_iter();
-        ends.clone().find(may_be_zero_free)?;
-        let signs = self.signs(u_centre);
-        if signs.pattern == SignPattern::Unknown {
-            return None;
-        }
-        let u = self.u(u_centre);
-        // The ellipse about a part of the interval lies in the disc of the sizes of its terms.
-        let is_known = is_on_interval && self.is_zero_free(u_centre);
-        let is_zero_free = |end: &f64| {
-            let by_terms = || RegularSegment::is_zero_free(&u[..=degree], span(*end));
-            may_be_zero_free(end) && (is_known || by_terms())
-        };
-        let end = ends.find(is_zero_free)?;
+        let Entrance { z, segment } = self.solutions.enter(
+            point.angle,
+            point.u,
+            |u_centre| self.signs(u_centre),
+            |u_centre| Some(self.segment_exit(u_centre)),
+        )?;
         Some(TableSegment {
             start: SlidePoint { z, ..*point },
-            segment: RegularSegment {
-                width: self.width,
-                u,
-                degree,
-                signs,
-                angle: self.angle,
-                end,
-                known_time: None,
-                exit: (end == self.end).then(|| self.segment_exit(u_centre)),
-            },
+            segment,
         })
-    }
-
-    /// u of a slide in powers of t.
-    fn u(&self, u_centre: f64) -> Series {
-        core::array::from_fn(|k| self.p[k] + u_centre * self.h[k])
     }
 
     /// n³ P σ η″ of a slide in Bernstein form.
     pub(super) fn slip_acceleration(&self, u_centre: f64) -> TruncatedPolynomial {
-        let (a, b) = (&self.a, &self.b);
-        TruncatedPolynomial {
-            low: core::array::from_fn(|k| a.low[k] + u_centre * b.low[k]),
-            remainder: a.remainder + u_centre.abs() * b.remainder,
-        }
+        TruncatedPolynomial::of(&self.a, &self.b, u_centre)
     }
 
     /// The largest |η″| whose sign is not known where a sum leaves out so much.
@@ -519,15 +656,15 @@ mod tests {
             {
                 for exponent in -24..=24 {
                     let u = libm::pow(10.0, 0.25 * f64::from(exponent));
-                    let Some(u_centre) = table.u_centre_from_entry(u) else {
+                    let Some(u_centre) = table.solutions.u_centre_from_entry(u) else {
                         continue;
                     };
-                    let Nodes { p, h, .. } = &table.nodes;
+                    let Nodes { p, h, .. } = &table.solutions.nodes;
                     let min_u = p
                         .iter()
                         .zip(h)
                         .map(|(p, h)| p + u_centre * h)
-                        .fold(table.exit.at(u_centre), f64::min);
+                        .fold(table.solutions.exit(u_centre), f64::min);
                     assert!(
                         min_u > 0.0,
                         "{mass_ratio} {inertia}: {sigma} {interval:?} {u}: {min_u}"
@@ -572,10 +709,10 @@ mod tests {
                 let (mut widest, mut size) = (0.0_f64, 0.0_f64);
                 for k in 0..=80 {
                     let t = 0.025 * f64::from(k) - 1.0;
-                    let z = table.width * t;
-                    let Angle { sin, cos } = table.angle.plus(Angle::of_half_tangent(z));
+                    let z = table.solutions.width * t;
+                    let Angle { sin, cos } = table.solutions.angle.plus(Angle::of_half_tangent(z));
                     let (alpha, beta) = law.slip_acceleration(sin, cos);
-                    let u = value(&table.p, t) + u_centre * value(&table.h, t);
+                    let u = value(&table.solutions.p, t) + u_centre * value(&table.solutions.h, t);
                     let factor = libm::pow(1.0 + z * z, 3.0) * law.p(sin, law.q(1.0, sin, cos));
                     let exact = factor * sigma * (alpha + beta * u);
                     // The value of a Bernstein form, by repeated means of its coefficients.
@@ -607,10 +744,16 @@ mod tests {
                 let bound = table.min_slip_acceleration(u_centre);
                 let values = (-20..=20).map(|k| {
                     let t = 0.05 * f64::from(k);
-                    let Angle { sin, cos } =
-                        table.angle.plus(Angle::of_half_tangent(table.width * t));
+                    let Angle { sin, cos } = table
+                        .solutions
+                        .angle
+                        .plus(Angle::of_half_tangent(table.solutions.width * t));
                     let (alpha, beta) = law.slip_acceleration(sin, cos);
-                    sigma * (alpha + beta * (value(&table.p, t) + u_centre * value(&table.h, t)))
+                    sigma
+                        * (alpha
+                            + beta
+                                * (value(&table.solutions.p, t)
+                                    + u_centre * value(&table.solutions.h, t)))
                 });
                 let lowest = values.fold(0.0, f64::min);
                 assert!(lowest >= bound, "{interval:?} {u_centre}: {lowest} {bound}");

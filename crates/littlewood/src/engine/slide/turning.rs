@@ -9,7 +9,9 @@ use crate::engine::quadrature::{LONG_NODE, LONG_WEIGHT, PAIRS};
 use crate::math::trig::Angle;
 
 use super::segment::SlideSegment;
-use super::series::{DEGREE, Expansion, Series, SlipSigns, TermBound, scaled, value};
+use super::series::{
+    DEGREE, Expansion, Family, Series, Signs, SlipSigns, TermBound, scaled, value,
+};
 
 /// Up to this multiple of the width v has no zero: the terms of its series are at most the part
 /// `MAX_TERM_RATIO` of the first. The Gauss sum of 1/√v in y is then exact to rounding: r = 2.9 and
@@ -17,23 +19,31 @@ use super::series::{DEGREE, Expansion, Series, SlipSigns, TermBound, scaled, val
 const ELLIPSE_FACTOR: f64 = 2.8;
 const MAX_TERM_RATIO: f64 = 0.9;
 
+/// A turning point nearer than this part of the width on which u has converged is the centre of the
+/// next segment.
+const MAX_TURN_DISTANCE: f64 = 0.7;
+
+/// A turning point behind is the centre of the next segment if it is nearer than this part of the
+/// segment.
+const MAX_PART_BEHIND_TURN: f64 = 0.5;
+
 /// A segment with the coordinate y from −1 to 1, in the frame of motion before the turning point.
 #[derive(Clone, Debug)]
-pub(super) struct TurningSegment {
+pub(super) struct TurningSegment<S = SlipSigns> {
     /// z at y = ± 1.
     pub(super) width: f64,
     /// u/width in powers of y², without its factor y².
     v: Series,
     /// By the distance from the turning point.
-    pub(super) signs: SlipSigns,
+    pub(super) signs: S,
     /// At the turning point.
     angle: Angle,
 }
 
-impl TurningSegment {
+impl<S: Signs> TurningSegment<S> {
     /// From the expansion about the turning point, with its angle, both in the frame of motion
     /// behind it.
-    pub(super) fn new(expansion: &Expansion, angle: Angle) -> Option<Self> {
+    pub(super) fn new(expansion: &Expansion<impl Family<Signs = S>>, angle: Angle) -> Option<Self> {
         if expansion.u[1] <= 0.0 {
             return None;
         }
@@ -45,7 +55,7 @@ impl TurningSegment {
             max_ratio: MAX_TERM_RATIO,
         })?;
         let u = scaled(expansion.u, width);
-        let signs = expansion.signs(&u, width, false)?;
+        let signs = expansion.family.signs(&u, width, false)?;
         let mut v = [0.0; DEGREE + 1];
         v[..DEGREE].copy_from_slice(&u[1..]);
         Some(Self {
@@ -69,7 +79,7 @@ impl TurningSegment {
     }
 }
 
-impl SlideSegment for TurningSegment {
+impl<S: Signs> SlideSegment for TurningSegment<S> {
     fn u(&self, y: f64) -> f64 {
         let square = y * y;
         self.width * square * value(&self.v, square)
@@ -106,6 +116,51 @@ impl SlideSegment for TurningSegment {
         }
         half * sum
     }
+}
+
+/// A segment about a turning point, and the point in it at which the motion is.
+pub(super) struct TurningPlace<S> {
+    pub(super) segment: TurningSegment<S>,
+    pub(super) y: f64,
+    /// z of the distance from the turning point.
+    pub(super) distance: f64,
+    /// Whether the motion comes to the turning point. The coordinate does not tell: it is 0 where
+    /// θ′² underflows.
+    pub(super) is_ahead: bool,
+}
+
+/// The segment about the turning point next to the centre of an expansion, ahead or behind, if that
+/// is near. `about` gives the expansion about the turning point, with its angle in the frame of
+/// motion behind it, if it is ahead or not.
+pub(super) fn turning_near<F: Family>(
+    angle: Angle,
+    expansion: &Expansion<F>,
+    about: impl FnOnce(bool, Angle) -> Expansion<F>,
+) -> Option<TurningPlace<F::Signs>> {
+    let [u, slope, ..] = expansion.u;
+    let convergence_radius = expansion.convergence_radius(0);
+    if u > MAX_TURN_DISTANCE * convergence_radius * slope.abs() {
+        return None;
+    }
+    let distance = expansion.zero(convergence_radius)?.abs();
+    let is_ahead = slope < 0.0;
+    // Behind a turning point, the frame before it is mirrored.
+    let angle = if is_ahead { angle } else { angle.mirrored() };
+    let turning_angle = angle.plus(Angle::of_half_tangent(distance)).mirrored();
+    let segment = TurningSegment::new(&about(is_ahead, turning_angle), turning_angle)?;
+    let part = distance / segment.width;
+    // Behind the turning point a regular segment leads farther than the rest of this one.
+    let (y, max_part) = if is_ahead {
+        (-part.sqrt(), 1.0)
+    } else {
+        (part.sqrt(), MAX_PART_BEHIND_TURN)
+    };
+    (part < max_part).then_some(TurningPlace {
+        segment,
+        y,
+        distance,
+        is_ahead,
+    })
 }
 
 #[cfg(test)]

@@ -38,10 +38,16 @@ pub(crate) struct SlideSeries<T = f64> {
 
 impl<T: Number> SlideSeries<T> {
     /// Series about (θ, θ′, η′).
-    pub(crate) fn new(
+    pub(crate) fn new(law: &SlidingLaw<T>, place: PhasePoint<T>, slip: T) -> Self {
+        Self::to_order(law, place, slip, DEGREE)
+    }
+
+    /// Their coefficients up to an order; the others are zero.
+    pub(crate) fn to_order(
         law: &SlidingLaw<T>,
         PhasePoint { theta, rate }: PhasePoint<T>,
         slip: T,
+        highest: usize,
     ) -> Self {
         let Heavy {
             mass: m,
@@ -77,7 +83,7 @@ impl<T: Number> SlideSeries<T> {
         let angle = theta.angle();
         (sin[0], cos[0]) = (angle.sin, angle.cos);
         let mut order = 0.0;
-        for n in 0..=DEGREE {
+        for n in 0..=highest {
             if n > 0 {
                 s.theta_rate[n] = acceleration[n - 1] / order;
                 s.theta[n] = s.theta_rate[n - 1] / order;
