@@ -250,11 +250,7 @@ export class PlanePane {
       make('span', { class: 'swatch region', 'aria-hidden': 'true' }),
       '𝓡, hatched: it can roll here',
     );
-    const left =
-      this.lab.plain.rolling_resistance > 0
-        ? [make('li', {}, 'χ > 0: no curves of rolling, whose limits differ each way')]
-        : [];
-    byId('curves', HTMLUListElement).replaceChildren(...curves, region, ...left);
+    byId('curves', HTMLUListElement).replaceChildren(...curves, region);
   }
 
   private showLegend(): void {

@@ -12,9 +12,6 @@ import { FONT } from './font';
 export const FROM = -Math.PI;
 export const TO = 2 * Math.PI;
 
-/** Energies over ℓ̂ whose levels are drawn, between the least and the largest that the plane shows. */
-const LEVELS = 9;
-
 const MARGIN = { left: 46, right: 14, top: 12, bottom: 40 };
 
 /** From θ, θ′ to pixels and back. */
@@ -80,13 +77,6 @@ const REGION_NAME = [0.28, 0.13] as const;
 
 export function curvesOf(problem: Problem, rate: number): Curves {
   const plane = new Plane(problem, FROM, TO, rate);
-  const bottom = plane.energy(Math.PI, 0);
-  const saddle = plane.energy(0, 0);
-  const top = plane.energy(Math.PI, rate);
-  const levels: number[] = [];
-  for (let k = 1; k <= 3; k++) levels.push(bottom + ((saddle - bottom) * k) / 4);
-  for (let k = 1; k <= LEVELS - 3; k++)
-    levels.push(saddle + (Math.max(top, plane.energy(0, rate)) - saddle) * (k / (LEVELS - 2)) ** 2);
   const named = (curve: Curve): Float64Array[] => [plane.curve(curve)];
   const letters: [string, number, number][] = [];
   for (const curve of UPWARDS) {
@@ -101,7 +91,8 @@ export function curvesOf(problem: Problem, rate: number): Curves {
       separatrix: named('separatrix'),
       lift_off: named('lift_off'),
       chatter: named('chatter'),
-      level: levels.map((energy) => plane.level(energy)),
+      level: named('level'),
+      band_of_rest: named('band_of_rest'),
     },
     letters,
     region,
@@ -168,6 +159,7 @@ const UPWARDS: readonly Curve[] = [
   'lift_off',
   'normal_force_zero',
   'slip_limit',
+  'band_of_rest',
 ];
 
 function setPen(c: CanvasRenderingContext2D, curve: Curve, palette: Palette): void {
