@@ -226,10 +226,8 @@ test('with rolling resistance a hoop rolls to and fro, and rests', async ({ page
   expect(Math.abs(Math.sin(found.at(-1)!.theta))).toBeLessThan(0.05 * 2);
   await expect(page.locator('#energy-legend [data-energy=lost_in_impacts]')).toBeHidden();
   await expect(page.locator('#moves-sentence')).not.toBeEmpty();
-  // The curves of rolling belong to a hoop that rolls alike in both directions.
-  await expect(page.locator('#curves [data-curve=separatrix]')).toBeHidden();
-  await expect(page.locator('#curves [data-curve=lift_off]')).toBeVisible();
-  await expect(page.locator('#curves')).toContainText('no curves of rolling');
+  for (const curve of ['band_of_rest', 'separatrix', 'slip_limit', 'normal_force_zero', 'region'])
+    await expect(page.locator(`#curves [data-curve=${curve}]`)).toBeVisible();
 
   await page.locator('#next').click();
   await expect(page.locator('#sentence')).toContainText('Turns back');
@@ -243,7 +241,7 @@ test('with rolling resistance a hoop rolls to and fro, and rests', async ({ page
 
   await type(page, 'rolling_resistance', '0');
   await expect(page.locator('#curves [data-curve=separatrix]')).toBeVisible();
-  await expect(page.locator('#curves')).not.toContainText('no curves of rolling');
+  await expect(page.locator('#curves [data-curve=band_of_rest]')).toBeHidden();
   await expect(page.locator('#energy')).toBeHidden();
 });
 
