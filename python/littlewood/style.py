@@ -57,7 +57,7 @@ CURVE_COLOURS: Mapping[str, str] = _colours("curve")
 """Colours of the curves of the (θ, θ′) plane.
 
 They are slip_limit (f), normal_force_zero (n), separatrix, lift_off,
-chatter, level."""
+chatter, level, band_of_rest."""
 
 CURVE_DASHES: Mapping[str, Dashes] = _dashes("curve")
 """Dashes of these curves."""

@@ -227,8 +227,8 @@ test('with rolling resistance a hoop rolls to and fro, and rests', async ({ page
   await expect(page.locator('#energy-legend [data-energy=lost_in_impacts]')).toBeHidden();
   await expect(page.locator('#moves-sentence')).not.toBeEmpty();
   // Where it rests is a curve, too.
-  for (const name of ['band_of_rest', 'separatrix', 'slip_limit', 'lift_off'])
-    await expect(page.locator(`#curves [data-curve=${name}]`)).toBeVisible();
+  for (const curve of ['band_of_rest', 'separatrix', 'slip_limit', 'normal_force_zero', 'region'])
+    await expect(page.locator(`#curves [data-curve=${curve}]`)).toBeVisible();
 
   await page.locator('#next').click();
   await expect(page.locator('#sentence')).toContainText('Turns back');

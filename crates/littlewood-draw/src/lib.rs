@@ -61,6 +61,7 @@ pub use letters::{missing, outlines, width};
 pub use littlewood_style::{Dash, Rgb, ticks::Tick};
 pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve, lift_off_condition};
 pub use markup::{Run, Script, markdown, plain, runs, unicode};
+pub use output::Shape;
 pub use primitives::{Anchor, Image, Point, Range, Segment};
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};
 pub use sheet::{

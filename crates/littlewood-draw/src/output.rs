@@ -3,11 +3,14 @@
 use crate::chart::items;
 use crate::error::DrawError;
 use crate::figure::Figure;
-use crate::item::Item;
+use littlewood_style::Rgb;
+
+use crate::item::{Item, Paint, STEPS, Step};
 use crate::markup::plain;
-use crate::primitives::Image;
+use crate::primitives::{Image, Point};
 use crate::raster::{self, check_scale};
 use crate::sheet::{POINTS_TO_A_MM, PRINT_POINTS};
+use crate::stroke::Stroke;
 use crate::svg;
 
 impl Figure {
@@ -74,3 +77,70 @@ impl Figure {
 
 /// Points to a pixel of a screen: 72 and 96 to the inch.
 const POINTS: f64 = 0.75;
+
+/// A shape on a sheet, in pixels to the right and downwards, as all formats draw it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// Lines, or the circle about a place as a line.
+    Line {
+        /// From point to point.
+        lines: Vec<Vec<[f64; 2]>>,
+        /// How they are drawn.
+        stroke: Stroke,
+    },
+    /// An area.
+    Area {
+        /// Its outlines.
+        lines: Vec<Vec<[f64; 2]>>,
+        /// Its colour.
+        colour: Rgb,
+    },
+    /// A text.
+    Text {
+        /// Without marks.
+        text: String,
+        /// The box of its letters: left, top, right and bottom.
+        frame: [f64; 4],
+    },
+}
+
+/// Corners of what stands for a circle.
+const CORNERS: u32 = 24;
+
+fn circle(centre: Step, radius: i32) -> Vec<[f64; 2]> {
+    let Point { x, y } = centre.pixels();
+    let radius = f64::from(radius) / STEPS;
+    let corner = |k: u32| {
+        let (sin, cos) = libm::sincos(core::f64::consts::TAU * f64::from(k) / f64::from(CORNERS));
+        [x + radius * cos, y + radius * sin]
+    };
+    (0..=CORNERS).map(corner).collect()
+}
+
+impl Figure {
+    /// Its shapes, the lowest first; images are left out.
+    pub fn shapes(&self) -> Vec<Shape> {
+        let pixels = |line: &Vec<Step>| {
+            let points = line.iter().map(|step| step.pixels());
+            points.map(|Point { x, y }| [x, y]).collect::<Vec<_>>()
+        };
+        let painted = |lines, paint| match paint {
+            Paint::Edge(stroke) => Shape::Line { lines, stroke },
+            Paint::Fill(colour) => Shape::Area { lines, colour },
+        };
+        let shape = |item: Item| match item {
+            Item::Path { lines, paint } => Some(painted(lines.iter().map(pixels).collect(), paint)),
+            Item::Circle {
+                centre,
+                radius,
+                paint,
+            } => Some(painted(vec![circle(centre, radius)], paint)),
+            Item::Words(words) => Some(Shape::Text {
+                text: plain(&words.text),
+                frame: words.frame().sides(),
+            }),
+            Item::Image { .. } => None,
+        };
+        items(self).into_iter().filter_map(shape).collect()
+    }
+}

@@ -1,5 +1,7 @@
 //! What it takes to follow the motions of a hoop from the starts of a plane.
 
+use core::f64::consts::PI;
+
 use littlewood::theory::Body;
 use littlewood::{Engine, Hoop, Limits, Mode, Start, Summary};
 
@@ -17,6 +19,9 @@ const BALANCED: f64 = 1e-3;
 /// A smaller part of μs between the coefficients makes slips so short and so many that hardly any
 /// of what chains prepare is used twice.
 const NEARLY_EQUAL: f64 = 1e-2;
+/// Half swings that are followed to the rest, and transitions of motions that each take long.
+const HALF_SWINGS: f64 = 60.0;
+const FEW_PHASES: usize = 24;
 /// With less friction each slide goes on for many turns.
 const LITTLE_FRICTION: f64 = 1e-4;
 
@@ -33,6 +38,11 @@ pub(crate) enum Effort {
     Bounces,
     /// A few phases, which are simulated.
     Simulated,
+    /// Half swings against rolling resistance, which are simulated.
+    Resisted {
+        /// Whether they are many.
+        many: bool,
+    },
     /// Many reversals, or many phases that are simulated.
     Long,
     /// Many phases, each of which takes long.
@@ -44,6 +54,13 @@ impl Effort {
     pub(crate) fn of(hoop: &Hoop, limits: Limits, engine: &Engine) -> Self {
         if matches!(hoop.body(), Body::Massless(_)) {
             return Self::Tables;
+        }
+        if hoop.rolling_resistance() > 0.0 {
+            // A half swing of any width loses about 2χ/h or more.
+            let half_swings = PI * hoop.h() / (2.0 * hoop.rolling_resistance());
+            return Self::Resisted {
+                many: half_swings > HALF_SWINGS,
+            };
         }
         if engine.is_exact() && hoop.h() > BALANCED && hoop.mu_k() > 0.0 {
             return Self::Slow;
@@ -77,8 +94,9 @@ impl Effort {
             // Next to a boundary there may be a few that go on and on.
             Self::Tables | Self::Direct | Self::Bounces => BOUNCES,
             Self::Chains => usize::MAX,
-            Self::Slow if engine.is_exact() => 24,
-            Self::Simulated | Self::Long | Self::Slow => LONG,
+            Self::Slow if engine.is_exact() => FEW_PHASES,
+            Self::Resisted { many: true } => FEW_PHASES,
+            Self::Simulated | Self::Resisted { many: false } | Self::Long | Self::Slow => LONG,
         };
         limits.with_transitions(limits.transitions.min(most))
     }

@@ -2,6 +2,7 @@
 
 mod beyond;
 mod catalogue;
+mod checker;
 mod facts;
 mod fates;
 mod files;
@@ -15,6 +16,7 @@ mod plane;
 mod poster;
 mod print;
 mod random;
+mod resisted;
 mod seen;
 mod si;
 mod support;

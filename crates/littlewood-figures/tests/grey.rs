@@ -8,7 +8,7 @@ const LIGHTNESS: f64 = 12.0;
 /// Least ratio of the widths of two lines that are told apart by them.
 const WIDER: f64 = 1.45;
 
-fn are_told_apart(a: Stroke, b: Stroke) -> bool {
+pub(crate) fn are_told_apart(a: Stroke, b: Stroke) -> bool {
     let lightness = (a.colour.lightness() - b.colour.lightness()).abs();
     let ratio = a.width.max(b.width) / a.width.min(b.width);
     a.dash != b.dash || lightness > LIGHTNESS || ratio > WIDER

@@ -86,7 +86,7 @@ impl Draw {
 }
 
 /// Series that are there whatever the hoop does.
-const FRAME: [&str; 10] = [
+pub(crate) const FRAME: [&str; 10] = [
     "ground",
     "zero",
     "weight",
@@ -157,7 +157,7 @@ fn is_seen(layer: &Layer, axes: &[&PlotAxis]) -> bool {
     }
 }
 
-fn shows_something(panel: &Panel) -> bool {
+pub(crate) fn shows_something(panel: &Panel) -> bool {
     let axes = match &panel.view {
         View::Plane { x, y, .. } => vec![x, y],
         View::Space { x, y, z, .. } => vec![x, y, z],

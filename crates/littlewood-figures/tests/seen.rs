@@ -8,7 +8,7 @@ use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Start};
 use littlewood_figures::{
     FIGURES, Figure, FigureInput, Mark, Point, Scale, View, find_figure, plain,
 };
-use littlewood_style::{Accent, Theme};
+use littlewood_style::{EnergyPart, Theme};
 
 fn of_case(name: &str, case: &str) -> Figure {
     let input = FigureInput::of_case(case).expect("a case");
@@ -180,7 +180,9 @@ fn what_a_caption_says_was_left_out_stands_in_the_picture() {
 #[test]
 fn kinetic_and_potential_energy_have_colours_that_nothing_else_has() {
     all(|figure, case| {
-        let accents = Accent::ALL.map(|accent| accent.colour(Theme::Light));
+        // What rolling resistance takes has the colour of its couple.
+        let accents =
+            [EnergyPart::Kinetic, EnergyPart::Potential].map(|it| it.colour(Theme::Light));
         let layers = || figure.panels.iter().flat_map(|panel| &panel.layers);
         let has_one = layers().any(|layer| match layer.mark {
             Mark::Line(stroke) => accents.contains(&stroke.colour),

@@ -2,8 +2,8 @@
 
 use littlewood::cases::find_case;
 use littlewood::si::SiParameters;
-use littlewood::{Limits, OutcomeKind, Trajectory};
-use littlewood_film::{FilmError, Pace, Schedule, Shown};
+use littlewood::{Hoop, Limits, OutcomeKind, Trajectory};
+use littlewood_film::{FilmError, Pace, Part, Schedule, Shown};
 use proptest::prelude::*;
 
 const PACE: Pace = Pace {
@@ -149,4 +149,29 @@ proptest! {
         let exact = 100.0 * frames as f64 / f64::from(fps);
         prop_assert!((total as f64 - exact).abs() <= 0.5);
     }
+}
+
+#[test]
+fn a_film_of_a_hoop_that_rests_stops_shortly_after() {
+    let case = find_case("figure-2-libration").expect("a named case").setup;
+    let schedule = |chi: f64| {
+        let hoop = Hoop::new(case.hoop.with_rolling_resistance(chi)).expect("a hoop");
+        let motion = hoop
+            .simulate(case.start, Limits::default())
+            .expect("a motion");
+        assert_eq!(motion.outcome().kind(), OutcomeKind::Rests);
+        let schedule = Schedule::new(&motion, &PACE).expect("a film");
+        (motion.outcome().state().time, schedule)
+    };
+    let (since, film) = schedule(0.05);
+    assert_eq!((film.end, film.part), (since + 1.0, Part::Whole));
+    assert_eq!(film.shown(film.frames - 1).hold_ms, 1500);
+    // 155 half swings are not waited for.
+    let (since, film) = schedule(1e-3);
+    assert!(since > 500.0 && film.end == 30.0);
+    let says = film
+        .part
+        .label()
+        .is_some_and(|label| label.contains("comes to rest"));
+    assert!(says, "{:?}", film.part);
 }

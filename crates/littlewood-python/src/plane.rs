@@ -117,9 +117,9 @@ methods! {
         })
     }
 
-    /// The pieces of the orbit of an energy in a window.
-    fn level(&self, energy: f64, theta: Interval, theta_rate: Interval) -> Pieces {
-        self.plane.level_curve(energy, &window(&theta, &theta_rate))
+    /// The pieces of orbits in a window: so many from rest in a turn, and so many over a top.
+    fn orbits(&self, theta: Interval, theta_rate: Interval, from_rest: u32, over_top: u32) -> Pieces {
+        self.plane.orbits(&window(&theta, &theta_rate), from_rest, over_top)
     }
 
     /// Region R as polygons in a window that reaches as far down as up.

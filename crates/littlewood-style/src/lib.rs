@@ -26,7 +26,7 @@ pub mod width;
 
 pub use accent::Accent;
 pub use arrow::Arrow;
-pub use class::of_class;
+pub use class::{RestingPlace, of_class};
 pub use curve::Curve;
 pub use dash::Dash;
 pub use energy::EnergyPart;

@@ -54,7 +54,8 @@ def phase_plane(
 ) -> Axes:
     """Draw the plane of Figures 2(b), 4 and 5: orbits of rolling, region R, the curves f and n.
 
-    With rolling resistance these are left out; the limit of lift-off and the motion are drawn.
+    With rolling resistance an orbit loses energy, to the right above θ′ = 0 and to the left below, and
+    the thick line is the band of rest; f, n and R are those of each way.
 
     Parameters
     ----------
@@ -65,7 +66,7 @@ def phase_plane(
     theta, theta_rate : tuple of float, optional
         Limits of the axes, rad and √(g/R).
     levels : int, optional
-        Number of orbits drawn.
+        Number of orbits from rest in half a turn; half as many pass the top.
     motion : Trajectory, optional
         A motion to draw over it; angles are reduced to the range of the axis.
 
@@ -104,6 +105,7 @@ def phase_plane(
         ("normal_force_zero", 2),
         ("slip_limit", 2),
         ("separatrix", 1),
+        ("band_of_rest", 3),
     ):
         curve = core.curve(name, *window)
         if curve is None:
@@ -128,11 +130,7 @@ def phase_plane(
                 clip_on=True,
                 zorder=6,
             )
-    # Orbits through evenly spaced points at rest, and over the top; each is a level of the energy.
-    starts = [(angle, 0.0) for angle in np.linspace(0.0, math.pi, levels + 2)[1:-1]]
-    starts += [(0.0, rate) for rate in np.linspace(0.0, most, levels // 2 + 2)[1:]]
-    energies = sorted({float(plane.energy(angle, rate)) for angle, rate in starts})
-    orbits = [piece for energy in energies for piece in core.level(energy, *window)]
+    orbits = core.orbits(*window, levels, levels // 2 + 1)
     axes.add_collection(LineCollection(orbits, **of_curve("level"), zorder=1))
     for equilibrium in plane.equilibria:
         filled = INK if equilibrium.stability == "stable" else PAPER

@@ -344,8 +344,8 @@ fn lost_parts(motion: &Shown) -> Vec<(Series, Mark, &'static str)> {
         .filter_map(|sample| Some((sample.state.time, ledger.parts(sample)?)))
         .collect();
     let lost = [
-        (EnergyPart::RollingResistance, Dash::Dashed),
-        (EnergyPart::Friction, Dash::DashDot),
+        (EnergyPart::RollingResistance, Dash::DashDotDot),
+        (EnergyPart::Friction, Dash::Short),
         (EnergyPart::Impacts, Dash::Dotted),
     ];
     let series = lost.map(|(part, dash)| {

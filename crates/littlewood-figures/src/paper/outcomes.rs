@@ -8,9 +8,9 @@ use littlewood::theory::Window;
 use littlewood::{Engine, Limits, OutcomeKind, Start, Summary};
 use littlewood_draw::{
     BOUNDARY, Content, Entries, Figure, Layer, Mark, PAPER, SOFT, Series, Stroke, THEME,
-    key_of_curve, lift_off_condition, short,
+    key_of_curve, lift_off_condition, marked, short,
 };
-use littlewood_style::{Curve, of_class};
+use littlewood_style::{Curve, RestingPlace, of_class};
 use littlewood_sweep::{Axis, FOR_A_POINT, Grid, Place, Region, Regions, Workers};
 
 use crate::axes::plane_window;
@@ -34,6 +34,8 @@ const LEAST: f64 = 1e-7;
 /// Of a region of motions that go on after a landing: whether they have lifted off. Its class is in
 /// the bits below.
 const LIFTS: u64 = 1 << 8;
+/// Of a region of motions that come to rest: from this bit on, where.
+const PLACES: u32 = 9;
 /// Starts by which a figure is checked, the part of them that may end otherwise than is drawn
 /// without a word, and the multiples modulo 1 that spread them evenly: of the inverse of ρ and its
 /// square, ρ³ = ρ + 1.
@@ -63,7 +65,7 @@ impl Plan {
             Effort::Chains | Effort::Bounces | Effort::Simulated | Effort::Long => {
                 ([109, 81], COARSE)
             }
-            Effort::Slow => ([61, 45], COARSE),
+            Effort::Resisted { .. } | Effort::Slow => ([61, 45], COARSE),
         };
         Self {
             limits,
@@ -114,7 +116,20 @@ fn key_of(fates: Fates, summary: &Summary) -> u64 {
         Class::of(summary),
         Class::LeavesAtOnce | Class::LiftsOffLater
     );
-    u64::from(fates.class(summary).code()) | if fates.go_on && lifts { LIFTS } else { 0 }
+    let class = fates.class(summary);
+    let place = if class == Class::Rests {
+        (RestingPlace::of(summary.end.theta) as u64) << PLACES
+    } else {
+        0
+    };
+    u64::from(class.code()) | place | if fates.go_on && lifts { LIFTS } else { 0 }
+}
+
+/// Whether a region is of a class, and of a place of rest, if one is asked for.
+fn is_of(key: u64, class: Class, place: Option<RestingPlace>) -> bool {
+    let code = u64::from(class.code());
+    let is_there = place.is_none_or(|place| key >> PLACES == place as u64);
+    key & (LIFTS - 1) == code && is_there
 }
 
 /// How many of some starts, spread evenly, end otherwise than is drawn: after many landings ends
@@ -252,6 +267,16 @@ impl Drawing<'_> {
         let fates = Fates::of(&self.input.hoop);
         let mut goes_on = false;
         for class in Class::ALL {
+            if class == Class::Rests {
+                for place in RestingPlace::ALL {
+                    let mark = Mark::Region(place.colour(THEME));
+                    let label = marked(place.label());
+                    self.add(place.name(), &label, mark, |key| {
+                        is_of(key, class, Some(place))
+                    });
+                }
+                continue;
+            }
             let mark = Mark::Region(of_class(class, THEME));
             let is_limited = class == Class::InContact && !limits.is_empty();
             let label = if is_limited {
@@ -259,8 +284,7 @@ impl Drawing<'_> {
             } else {
                 fates.label(class).to_owned()
             };
-            let code = u64::from(class.code());
-            let is_there = self.add(class.name(), &label, mark, |key| key & !LIFTS == code);
+            let is_there = self.add(class.name(), &label, mark, |key| is_of(key, class, None));
             goes_on |= is_there && class == Class::InContact;
         }
         if fates.go_on {
@@ -290,6 +314,17 @@ impl Drawing<'_> {
                 self.keys.push(key_of_curve(curve, hoop.slope()));
             }
         }
+        if let Some(band) = portrait.band_of_rest() {
+            let under =
+                Stroke::of_curve(Curve::BandOfRest).wide(Curve::BandOfRest.width() + 2.0 * MARGIN);
+            self.layers.push(band.series.clone().drawn(Stroke {
+                colour: PAPER,
+                ..under
+            }));
+            self.layers.push(band);
+            self.keys
+                .push(key_of_curve(Curve::BandOfRest, hoop.slope()));
+        }
     }
 }
 
@@ -311,8 +346,13 @@ fn caption(input: &FigureInput, followed: &str) -> String {
     } else {
         ("", "")
     };
+    let rests = if input.hoop.rolling_resistance() > 0.0 {
+        " Where it rests is said by the turn between two tops in which its angle *θ* then is."
+    } else {
+        ""
+    };
     format!(
-        "Outcome of each start with *η*′ = 0, followed {landings}{followed}{hatched}. Each point of a boundary lies between two starts with \
+        "Outcome of each start with *η*′ = 0, followed {landings}{followed}{hatched}.{rests} Each point of a boundary lies between two starts with \
          different outcomes.{remark} {}.",
         input.wording().hoop(&input.hoop)
     )

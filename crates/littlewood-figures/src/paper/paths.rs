@@ -26,8 +26,9 @@ pub(super) const WIDTH: f64 = 760.0;
 const ROWS: usize = 4;
 const ROW: f64 = 17.0;
 
-/// Distance of the hoops of two bounces, at least.
+/// Distance of the hoops of two bounces, at least, and of those of two swings where there are many.
 const APART: f64 = 1.2;
+const WIDER: f64 = 1.25;
 
 /// An instant at which the hoop is drawn, with its name.
 struct Instant {
@@ -41,7 +42,8 @@ fn instants(motion: &Shown) -> Vec<Instant> {
     let mut found = transitions(motion, APART);
     if found.len() > HOOPS {
         let [left, right] = bounds(found.iter().map(|it| it.sample.centre.x), 0.0);
-        found = transitions(motion, APART.max((right - left) / (HOOPS - 2) as f64));
+        let apart = f64::max(WIDER, (right - left) / (HOOPS - 2) as f64);
+        found = transitions(motion, apart);
     }
     if found.len() > HOOPS {
         let last = found.split_off(found.len() - 1);
@@ -69,7 +71,9 @@ fn transitions(motion: &Shown, apart: f64) -> Vec<Instant> {
             continue;
         };
         let is_close = |other: &Instant| (other.sample.centre.x - sample.centre.x).abs() < apart;
-        let is_hidden = transition.is_bounce() && found.iter().any(is_close);
+        // Many swings are in one place, too.
+        let is_swing = apart > APART && transition.cause == Cause::TurningPoint;
+        let is_hidden = (transition.is_bounce() || is_swing) && found.iter().any(is_close);
         if transition.time() <= motion.until && !is_hidden {
             let name = transition.cause.label().to_owned();
             found.push(Instant { name, sample });

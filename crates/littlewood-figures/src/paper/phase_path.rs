@@ -23,6 +23,8 @@ const NAME: &str = "phase-path";
 const COLUMNS: [&str; 3] = [TIME, THETA, THETA_RATE];
 /// Least and greatest width of the window: one turn and a half, and four turns.
 const WIDTHS: [f64; 2] = [3.0 * PI, 4.0 * TAU];
+/// The width of a motion that is small in the plane.
+const SWING: f64 = PI;
 /// Greatest rate that is shown of Littlewood's hoop, whose rate has no bound.
 const LITTLEWOOD: f64 = 2.5;
 /// Arrows of time stand where the motion goes this part of the window.
@@ -48,6 +50,15 @@ fn window_of(input: &FigureInput, rows: &[Vec<f64>]) -> Window {
         };
     }
     let [low, high] = bounds(rows.iter().map(|row| row[1]), 0.05);
+    let swings = rows.iter().map(|row| row[2].abs()).fold(0.0, f64::max);
+    // What comes to rest in a small part of the plane is seen there, with the band.
+    if input.hoop.rolling_resistance() > 0.0 && high - low < SWING && swings > 0.0 {
+        let (middle, half) = (0.5 * (low + high), 0.8 * (high - low));
+        return Window {
+            x: [middle - half, middle + half],
+            y: [-1.5 * swings, 1.5 * swings],
+        };
+    }
     let from = rows.first().map_or(0.0, |row| row[1]);
     let most = WIDTHS[1];
     let x = match high - low {

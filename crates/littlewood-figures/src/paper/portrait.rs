@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use littlewood::theory::Window;
 use littlewood_draw::{
     Entries, FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, NORMAL_FORCE, Point,
-    REGION, SMALL, Series, key_of_curve, lift_off_condition, short,
+    REGION, Series, key_of_curve, lift_off_condition, short,
 };
 use littlewood_style::Curve;
 use littlewood_style::width::CURVE;
@@ -16,7 +16,7 @@ use crate::input::FigureInput;
 use crate::plane::{Orbits, Portrait, mirrored};
 
 /// The names of the curves and of 𝓡.
-fn names(portrait: &Portrait, slip: &Series, unloading: &Series, lift_off: &Series) -> Vec<Label> {
+fn names(portrait: &Portrait, slip: &Series, unloading: &Series) -> Vec<Label> {
     let (most, hoop) = (portrait.window.y[1], &portrait.hoop);
     let mut labels = portrait.mark_of_unloading();
     let f = portrait.name_of(slip, Point::new(0.62 * PI, 0.72 * most), "*f*");
@@ -27,10 +27,6 @@ fn names(portrait: &Portrait, slip: &Series, unloading: &Series, lift_off: &Seri
     if hoop.mu_s() > 0.0 {
         labels.push(Label::new("𝓡", &[PI, 0.62 * most]).sized(20.0));
     }
-    let condition = lift_off_condition(hoop.slope());
-    let name = portrait.name_of(lift_off, Point::new(0.3 * PI, 0.93 * most), condition);
-    let name = name.map(|name| name.shifted(-8.0, 0.0).right().sized(SMALL));
-    labels.extend(name.map(|name| name.coloured(NORMAL_FORCE)));
     labels
 }
 
@@ -79,8 +75,9 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     let slip = portrait.slip_locus(hoop.mu_s())?;
     let unloading = portrait.unloading_locus();
     let lift_off = portrait.lift_off_locus();
-    let labels = names(&portrait, &slip, &unloading, &lift_off);
+    let labels = names(&portrait, &slip, &unloading);
     layers.push(slip.drawn(Curve::SlipLimit));
+    let lifts_off = !lift_off.pieces.is_empty();
     layers.push(lift_off.drawn(Curve::LiftOff));
     layers.push(unloading.drawn(Curve::NormalForceZero));
     let chatter = portrait.reverse_chatter();
@@ -91,7 +88,12 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(portrait.flow_of(&orbits, PI).drawn(Mark::Head(FAINT)));
     layers.extend(portrait.separatrix_heads());
     let equilibria = portrait.equilibria();
-    let keys = keys_of(&portrait);
+    // The curve is close to others.
+    let mut keys: Entries = lifts_off
+        .then(|| key_of_curve(Curve::LiftOff, hoop.slope()))
+        .into_iter()
+        .collect();
+    keys.extend(keys_of(&portrait));
     layers.extend(equilibria);
     let say = input.wording();
     let caption = format!(

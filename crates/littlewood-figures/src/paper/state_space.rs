@@ -82,15 +82,26 @@ fn floor(ranges: &Ranges, modes: &Modes) -> Vec<Layer> {
     layers
 }
 
+/// Most letters of a mode.
+const LETTERS: usize = 4;
+
 /// *s* and *r* at the phases.
 fn letters(motion: &Shown) -> Vec<Label> {
-    let mut labels = Vec::new();
+    let mut labels: Vec<Label> = Vec::new();
     for phase in motion.phases() {
+        if phase.start().time >= motion.until {
+            break;
+        }
         let (letter, share) = match phase.mode() {
             Mode::Sliding => ("*s*", 0.5),
             Mode::Rolling => ("*r*", 0.75),
             Mode::Gliding | Mode::Flight | Mode::Rest | Mode::Skidding => continue,
         };
+        // Of many phases the first of a mode has its letter.
+        let is_named = labels.iter().filter(|label| label.text == letter).count() >= LETTERS;
+        if is_named {
+            continue;
+        }
         let duration = f64::min(phase.duration(), motion.until - phase.start().time);
         let middle = phase.sample(share * duration).state;
         let [right, down] = match middle.slip {
