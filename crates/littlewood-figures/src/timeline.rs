@@ -217,11 +217,7 @@ impl Shown {
     /// Of bounces only where there is room beside all others, and of a name that repeats itself more
     /// often than `most` the first, with how many there are; with the number of rows, and whether all
     /// have one.
-    fn names_of_transitions(
-        &self,
-        across: &Across<'_>,
-        most: usize,
-    ) -> (Vec<Label>, usize, bool) {
+    fn names_of_transitions(&self, across: &Across<'_>, most: usize) -> (Vec<Label>, usize, bool) {
         let Across { pixels, wide, .. } = *across;
         // More than these cannot be told apart in any number of rows.
         let are_many = self.passed().count() as f64 > ROWS as f64 * wide / NAME;
