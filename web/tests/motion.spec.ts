@@ -1,6 +1,6 @@
 // The motion that the page shows.
 
-import { expect, test } from '@playwright/test';
+import { expect, type Page, test } from '@playwright/test';
 import {
   endOf,
   FIGURE_3,
@@ -279,4 +279,50 @@ test('a hoop that skids does not turn, and each event has its sentence', async (
   await expect(page).toHaveURL(/#case=skid&/);
   await type(page, 'rolling_resistance', '0.12');
   await expect(page).toHaveURL(/rolling_resistance=0\.12&/);
+});
+
+/** What is said of the threshold of a quantity, its value, and that of the last double below it. */
+async function thresholdOf(page: Page, name: string): Promise<{ said: string; value: number }> {
+  await page.locator(`.row:has(#slider-${name}) .threshold`).click();
+  const found = page.locator(`#found-${name}`);
+  await expect(found).toHaveText(/\.$/);
+  const said = await found.innerText();
+  await field(page, name).focus();
+  return { said, value: Number(await field(page, name).inputValue()) };
+}
+
+/** The double below a positive one. */
+function below(value: number): number {
+  const view = new DataView(new ArrayBuffer(8));
+  view.setFloat64(0, value);
+  view.setBigUint64(0, view.getBigUint64(0) - 1n);
+  return view.getFloat64(0);
+}
+
+test('the threshold beside a slider is the first number with the other outcome', async ({
+  page,
+}) => {
+  // At the top of the Figure 2 hoop, with h = 1/2, only a pull holds it down above θ′ = √2.
+  await open(page, 'case=figure-3&theta=0&theta_rate=1.4&map=0');
+  const top = await thresholdOf(page, 'theta_rate');
+  // 1 − h θ′² is known to some units of its last digit, of 1; its slope in θ′ is √2.
+  expect(Math.abs(top.value - Math.SQRT2)).toBeLessThan(16 * Number.EPSILON);
+  expect(top.said).toBe(`Below θ′ = ${top.value}: lifts off later. From there on: leaves at once.`);
+  // A jump: the motions of neighbouring numbers are those of the table.
+  await open(page, 'case=figure-3&map=0');
+  const { said, value } = await thresholdOf(page, 'theta_rate');
+  expect(said).toBe(`Below θ′ = ${value}: rolls for ever. From there on: lifts off later.`);
+  expect(value).toBeGreaterThan(1.6446);
+  expect(value).toBeLessThan(1.6449);
+  const ends = async (): Promise<string> => (await phases(page)).at(-1)!.mode;
+  expect(await ends()).toBe('flight');
+  await type(page, 'theta_rate', String(below(value)));
+  await expect(page.locator('#found-theta_rate')).toBeEmpty();
+  expect(await ends()).toBe('rolling');
+  // Without a change it says how far it has looked: μs is never below μk.
+  await open(page, 'case=figure-3&map=0');
+  await page.locator('.row:has(#slider-mu_s) .threshold').click();
+  await expect(page.locator('#found-mu_s')).toHaveText(
+    'The outcome does not change with μₛ from 0.4025 to 1.5, in steps of 0.0075.',
+  );
 });

@@ -337,6 +337,9 @@ export const CLASS_LABELS = {
   rests: 'rests',
 } as const satisfies Record<Class, string>;
 
+/** Those of motions that stay in contact. */
+export const CLASSES_IN_CONTACT: readonly Class[] = ['rolls_forever', 'repeats_forever', 'slips_forever', 'in_contact', 'rests'];
+
 /** Laws of restitution. The first is that of a coefficient alone. */
 export const LAWS = [
   'energetic',

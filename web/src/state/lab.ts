@@ -12,8 +12,10 @@ import {
   valuesOf,
 } from '../core/fields';
 import { type ColumnUnits, type Event, type ImpactEvent, Motion, unitsOf } from '../core/motion';
+import { classIn } from '../core/threshold';
 import { Problem, Refusal } from '../core/wasm';
 import {
+  type Class,
   DIMENSIONLESS,
   type DimensionlessNumber,
   type Law,
@@ -214,12 +216,21 @@ export class Lab {
 
   /** Sets some quantities of the system that is shown. Without a coefficient of restitution there is no law. */
   set(values: Given, view: Partial<ViewState> = {}): boolean {
+    return this.take(this.changed(values), view);
+  }
+
+  /** The class that the motion has with some quantities of the system that is shown; none of what is refused. */
+  classWith(values: Given): Class | null {
+    return classIn(this.changed(values));
+  }
+
+  private changed(values: Given): ProblemState {
     const { problem } = this.state;
     const value = (quantity: Quantity): number =>
       values[quantity] ?? numberOf(problem, quantity) ?? NaN;
     const restitution = values.restitution === undefined ? problem.restitution : values.restitution;
     const law = lawOf({ ...problem, restitution });
-    return this.take(problemWith(problem.system, value, { ...problem, restitution, law }), view);
+    return problemWith(problem.system, value, { ...problem, restitution, law });
   }
 
   setLaw(law: Law): void {

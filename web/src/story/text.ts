@@ -156,8 +156,14 @@ export const PICTURES = {
     controls: {
       push: 'push, √(g/R)',
       where: '{angle} to the right of the top, turning at {rate} √(g/R)',
+      guess: 'Your guess',
+      hops: 'It hops',
+      stays: 'It stays down',
     },
     says: {
+      ask: 'Does it hop? Guess, and play.',
+      right: 'You were right.',
+      wrong: 'You guessed otherwise.',
       hops: 'It hops. It turns by {turned} along the ground, lifts off, rises by {height} of its radius, and turns by {air} in the air.',
       atOnce: 'It leaves the ground at once: its weight is too fast to be held down.',
       rolls: 'It never hops. It rolls for ever and never slips.',

@@ -10,10 +10,17 @@ import {
   sliderOf,
   stepOf,
 } from '../core/fields';
+import { type NoThreshold, type Threshold, thresholdOf } from '../core/threshold';
 import { brief, make } from '../dom';
-import { type Group, QUANTITY_ROWS, type Quantity, type System } from '../generated/tables';
+import {
+  CLASS_LABELS,
+  type Group,
+  QUANTITY_ROWS,
+  type Quantity,
+  type System,
+} from '../generated/tables';
 import type { Lab } from '../state/lab';
-import { numberOf } from '../state/state';
+import { numberOf, type ProblemState } from '../state/state';
 import { ImpactFields } from './impact-fields';
 
 interface Row {
@@ -21,6 +28,8 @@ interface Row {
   input: HTMLInputElement;
   slider: HTMLInputElement | null;
   message: HTMLElement;
+  /** What was found of a threshold. */
+  found: HTMLElement;
 }
 
 /** The parts of the form, and which of them can be folded away. */
@@ -49,9 +58,25 @@ function short(value: number): string {
   return String(Number(value.toPrecision(7)));
 }
 
+/** What a threshold divides, with all digits. */
+function said(quantity: Quantity, { below, above }: Threshold): string {
+  const at = `${labelOf(quantity)} = ${minus(above.value)}`;
+  return `Below ${at}: ${CLASS_LABELS[below.class]}. From there on: ${CLASS_LABELS[above.class]}.`;
+}
+
+function none(quantity: Quantity, { from, to, step }: NoThreshold): string {
+  return `The outcome does not change with ${labelOf(quantity)} from ${brief(from)} to ${brief(to)}, in steps of ${brief(step)}.`;
+}
+
+function minus(value: number): string {
+  return String(value).replaceAll('-', '−');
+}
+
 export class Fields {
   private rows: Row[] = [];
   private system: System | null = null;
+  /** The threshold that was looked for last, as long as the problem is that one. */
+  private last: { quantity: Quantity; problem: ProblemState; text: string } | null = null;
   private readonly impact: ImpactFields;
 
   constructor(
@@ -70,6 +95,8 @@ export class Fields {
       const value = numberOf(problem, row.quantity);
       const fieldError = this.lab.fieldErrors.find((it) => it.field === row.quantity);
       row.message.textContent = fieldError ? fieldError.message : '';
+      row.found.textContent =
+        this.last?.quantity === row.quantity && this.last.problem === problem ? this.last.text : '';
       row.input.setAttribute('aria-invalid', String(fieldError !== undefined));
       if (fieldError) {
         if (document.activeElement !== row.input && fieldError.given !== '')
@@ -128,6 +155,7 @@ export class Fields {
       meaningOf(quantity),
     );
     const message = make('span', { class: 'message', id: `message-${quantity}`, role: 'alert' });
+    const found = make('output', { class: 'found', id: `found-${quantity}` });
     const input = make('input', {
       type: 'text',
       inputmode: 'decimal',
@@ -158,12 +186,21 @@ export class Fields {
         'aria-label': `${label}, slider`,
         id: `slider-${quantity}`,
       });
+      const find = make(
+        'button',
+        { type: 'button', class: 'threshold', 'aria-label': `Find the threshold of ${label}` },
+        'threshold',
+      );
+      find.title = `The value nearest to this at which the outcome changes`;
+      find.addEventListener('click', () => void this.find(quantity, range));
+      // The class of a motion is decided before it bounces.
+      if (quantity !== 'restitution') row.append(find);
       row.append(slider);
     } else {
       row.classList.add('plain');
     }
-    row.append(tip, message);
-    this.rows.push({ quantity, input, slider, message });
+    row.append(found, tip, message);
+    this.rows.push({ quantity, input, slider, message, found });
     // The last digits are there for who wants to change them.
     input.addEventListener('focus', () => {
       const value = numberOf(this.lab.state.problem, quantity);
@@ -183,6 +220,26 @@ export class Fields {
     input.addEventListener('keydown', (event) => this.stepped(event, quantity, input));
     slider?.addEventListener('input', () => this.lab.setQuantity(quantity, Number(slider.value)));
     return row;
+  }
+
+  /** Goes to the first number beyond the nearest threshold, and says what changes there. */
+  private async find(quantity: Quantity, range: { min: number; max: number }): Promise<void> {
+    const { lab } = this;
+    const { problem } = lab.state;
+    const now = numberOf(problem, quantity);
+    if (now === null) return;
+    this.last = { quantity, problem, text: 'Searching…' };
+    this.show();
+    const threshold = await thresholdOf(range, now, (value) =>
+      // Of another problem nothing is found.
+      lab.state.problem === problem ? lab.classWith({ [quantity]: value }) : null,
+    );
+    if (lab.state.problem !== problem) return;
+    const isFound = 'above' in threshold;
+    if (isFound) lab.setQuantity(quantity, threshold.above.value);
+    const text = isFound ? said(quantity, threshold) : none(quantity, threshold);
+    this.last = { quantity, problem: lab.state.problem, text };
+    this.show();
   }
 
   private typed(quantity: Quantity, text: string): void {

@@ -33,6 +33,15 @@ pub(crate) fn typescript() -> String {
     );
     let labels = Class::ALL.map(|class| (class.name(), quoted(class.label())));
     source.record("CLASS_LABELS", ("Class", "string"), "In words.", labels);
+    let in_contact = Class::ALL
+        .into_iter()
+        .filter(|class| class.stays_in_contact())
+        .map(|class| quoted(class.name()))
+        .collect::<Vec<_>>()
+        .join(", ");
+    source.lines(&format!(
+        "/** Those of motions that stay in contact. */\nexport const CLASSES_IN_CONTACT: readonly Class[] = [{in_contact}];",
+    ));
     impacts(&mut source);
     view(&mut source);
     source.lines(&format!(

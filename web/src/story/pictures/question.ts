@@ -1,7 +1,7 @@
 // The question: a push, and what becomes of the hoop.
 
 import { HULA_SECOND } from '../../core/fields';
-import { STILL } from '../../dom';
+import { make, STILL } from '../../dom';
 import { type Hoop, linkTo, most, motionOf, storyHoop } from '../hoops';
 import type { Picture } from '../kit';
 import { degrees, fateOf, jumpOf, PUSH, plain } from '../numbers';
@@ -28,14 +28,54 @@ function verdict(hoop: Hoop): string {
   return said;
 }
 
+const GUESSES = ['hops', 'stays'] as const;
+type Guess = (typeof GUESSES)[number];
+
 export function question(picture: Picture): void {
   let hoop = storyHoop(PUSH);
   const showing = new Showing(hoop);
+  let guess: Guess | null = null;
+  /** Whether the motion has answered since it was chosen: until then neither words nor paths tell what it does. */
+  let isKnown = false;
+  const wager = (next: Guess | null): void => {
+    guess = next;
+    for (const [i, button] of buttons.entries())
+      button.setAttribute('aria-pressed', String(GUESSES[i] === guess));
+  };
   const take = (next: Hoop): void => {
     hoop = next;
     showing.take(hoop);
     said = verdict(hoop);
+    isKnown = false;
+    wager(null);
     player.go(0);
+  };
+  const buttons = GUESSES.map((it) => {
+    const button = make('button', { type: 'button', 'aria-pressed': 'false' }, picture.word(it));
+    button.addEventListener('click', () => {
+      wager(it);
+      picture.changed();
+    });
+    return button;
+  });
+  picture.controls.append(
+    make(
+      'div',
+      { class: 'guesses', role: 'group', 'aria-label': picture.word('guess') },
+      ...buttons,
+    ),
+  );
+  /** It hops where it leaves the ground; a motion that does not has to be seen to its end. */
+  const isAnswered = (time: number): boolean => {
+    const { begin, end, hop } = showing.motion;
+    return time > begin && time >= (hop?.start ?? end);
+  };
+  const answer = (): string => {
+    isKnown ||= isAnswered(player.time);
+    if (!isKnown) return SAYS.ask;
+    if (guess === null) return said;
+    const hops = showing.motion.hop !== null;
+    return `${(guess === 'hops') === hops ? SAYS.right : SAYS.wrong} ${said}`;
   };
   const push = picture.slider(
     'push',
@@ -48,7 +88,10 @@ export function question(picture: Picture): void {
   const player = picture.player(showing.course, showing.timeText);
   picture.hold(
     (palette) => ({
-      scene: () => showing.scene(player.time, palette()),
+      scene: () => ({
+        ...showing.scene(player.time, palette()),
+        isSecret: !isKnown && !isAnswered(player.time),
+      }),
       start: () => hoop,
       set: (start) => {
         take({ ...hoop, ...start });
@@ -63,7 +106,7 @@ export function question(picture: Picture): void {
       say: ({ theta, theta_rate }) =>
         fill(picture.word('where'), { angle: degrees(-theta), rate: plain(-theta_rate) }),
     }),
-    () => said,
+    answer,
     () => linkTo(hoop),
   );
 }
