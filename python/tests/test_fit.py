@@ -245,7 +245,11 @@ def test_a_track_on_a_ramp_of_a_known_slope(hoop, guess, level):
     # The plane for a level one does not fit, and the fit says that it is steep.
     with pytest.warns(lw.fitting.FitWarning) as caught:
         wrong = lw.fit(
-            track, guess, slips_at_start=True, sigma=dict.fromkeys(track.channels, NOISE)
+            track,
+            guess,
+            free=("mu_s", "mu_k", "inertia"),
+            slips_at_start=True,
+            sigma=dict.fromkeys(track.channels, NOISE),
         )
     assert wrong.reduced_chi_square > 2.0
     assert any(warning.message.doubt.name == "misfit" for warning in caught)
@@ -293,7 +297,7 @@ def test_bad_tracks_are_refused(tmp_path, hoop):
         lw.Track([0.0, 1.0])
     with pytest.raises(ValueError, match="shape"):
         lw.Track([0.0, 1.0], theta=[0.0])
-    with pytest.raises(ValueError, match="not enough for 6 unknowns"):
+    with pytest.raises(ValueError, match="not enough for 7 unknowns"):
         lw.fit(lw.Track([0.0, 1.0, 2.0], theta=[0, 0.1, 0.2], x=[0, 0, 0.0]), hoop)
     with pytest.raises(ValueError, match="must name some of"):
         lw.fit(lw.Track([0.0, 1.0], theta=[0.0, 0.1]), hoop, free=["colour"])
@@ -371,3 +375,108 @@ def test_a_track_that_never_leaves_the_floor_is_given_no_bounces():
     for name in ("mu_s", "mu_k", "inertia"):
         estimate = result.estimates[name]
         assert abs(estimate.value - getattr(motion.hoop, name)) < 4.0 * estimate.std_error < 0.1
+
+
+CHI = 0.01
+
+
+def swings(chi, **more):
+    """A motion that slides, rolls and slips several times, and never flies."""
+    hoop = lw.Hoop(
+        mass_ratio=1, offset=0.9, inertia=0.93, mu_s=0.5, mu_k=0.4, rolling_resistance=chi, **more
+    )
+    return hoop.simulate(theta=0.5, theta_rate=0.3, slip=-2.0, until=8.0)
+
+
+@pytest.mark.filterwarnings("ignore:interval")
+@pytest.mark.parametrize("chi", [0.0, 0.002, CHI])
+def test_rolling_resistance_is_found_within_its_interval(chi):
+    motion = swings(chi)
+    pulls, inside = [], 0
+    for seed in range(6):
+        track = tracked(motion, seed, count=150, end=8.0)
+        start = {"theta": 0.5, "theta_rate": 0.3, "slip": -2.0}
+        known = dataclasses.replace(motion.hoop, rolling_resistance=0.0)
+        result = lw.fit(track, known, slips_at_start=True, start=start, search=False)
+        estimate = result.estimates["rolling_resistance"]
+        assert estimate.identifiable and estimate.std_error < 0.001 and estimate.value >= 0.0
+        assert result.hoop.rolling_resistance == estimate.value
+        assert not any("rolling_resistance" in doubt.parameters for doubt in result.doubts)
+        pulls.append((estimate.value - chi) / estimate.std_error)
+        low, high = result.profile_interval("rolling_resistance", 0.999)
+        inside += max(low, 0.0) <= chi <= high
+    assert inside == 6
+    # A mean square of 1, to about √(2/6); half of that where it cannot be negative.
+    assert np.mean(np.square(pulls)) < 1.0 + 4.0 * math.sqrt(2 / 6)
+
+
+def test_a_held_rolling_resistance_that_is_wrong_is_named():
+    """A fit of a hoop that loses energy was wrong by friction and inertia, in silence."""
+    track = tracked(swings(CHI), 1, count=150, end=8.0)
+    start = {"theta": 0.5, "theta_rate": 0.3, "slip": -2.0}
+    with pytest.warns(lw.fitting.FitWarning) as caught:
+        lw.fit(
+            track,
+            dataclasses.replace(swings(CHI).hoop, rolling_resistance=0.0),
+            free=("mu_s", "mu_k", "inertia"),
+            slips_at_start=True,
+            start=start,
+            search=False,
+        )
+    held = [one.message.doubt for one in caught if one.message.doubt.name == "held"]
+    assert held[0].parameters[0] == "rolling_resistance"
+    assert "free" in held[0].message
+    # Nobody is asked for a hoop that gains by rolling.
+    uphill = tracked(swings(0.0, slope=0.01), 1, count=150, end=8.0)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        lw.fit(
+            uphill,
+            swings(0.0).hoop,
+            free=("inertia",),
+            slips_at_start=True,
+            start=start,
+            search=False,
+        )
+    for one in caught:
+        assert "rolling_resistance -" not in str(one.message)
+
+
+def test_on_a_ramp_that_is_only_rolled_down_slope_and_resistance_are_one():
+    """A disc tells them apart only where it rolls up and down."""
+    ramp = lw.Hoop(
+        mass_ratio=1,
+        offset=0.05,
+        inertia=0.9,
+        mu_s=0.5,
+        mu_k=0.4,
+        slope=-0.05,
+        rolling_resistance=CHI,
+    )
+    free = ("inertia", "rolling_resistance", "slope")
+    for rate, end, are_told in ((0.0, 7.0, False), (0.3, 30.0, True)):
+        start = {"theta": 0.5, "theta_rate": rate}
+        track = tracked(ramp.simulate(**start), 3, count=400, end=end)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            result = lw.fit(track, ramp, free=free, start=start, search=False)
+        words = [
+            str(one.message) for one in caught if "rolling_resistance" in one.message.parameters
+        ]
+        assert result.estimates["rolling_resistance"].identifiable == are_told
+        assert bool(words) != are_told
+        if not are_told:
+            assert "roll up and down" in words[0]
+            # What is not told widens the interval of the slope.
+            assert 0.02 < result.estimates["slope"].std_error < 0.1
+
+
+def test_a_flight_says_nothing_of_rolling_resistance():
+    hoop = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, rolling_resistance=CHI)
+    start = {"theta": 0.0, "theta_rate": 2.0}
+    thrown = hoop.simulate(**start)
+    assert thrown.sequence == "F"
+    track = tracked(thrown, 0, count=60, channels=("theta", "x", "y"))
+    with pytest.warns(lw.fitting.IdentifiabilityWarning, match="rolling_resistance .the hoop"):
+        result = lw.fit(track, hoop, free=("rolling_resistance",), start=start, search=False)
+    assert result.estimates["rolling_resistance"].std_error == math.inf

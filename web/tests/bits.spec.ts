@@ -3,7 +3,7 @@
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { expect, test } from '@playwright/test';
-import * as core from '../src/wasm/littlewood_web.js';
+import * as core from '../src/wasm/first/littlewood_web.js';
 import { open } from './lab';
 
 const MASK = (1n << 64n) - 1n;
@@ -49,7 +49,7 @@ test('the named cases and a thousand random starts have the same bits natively a
   expect(lines).toHaveLength(1000 + cases.length);
   expect(cases).toContain('figure-3-bounces');
   core.initSync({
-    module: readFileSync(new URL('../src/wasm/littlewood_web_bg.wasm', import.meta.url)),
+    module: readFileSync(new URL('../src/wasm/first/littlewood_web_bg.wasm', import.meta.url)),
   });
   for (const line of lines) {
     const [name, ...words] = line.split(' ');

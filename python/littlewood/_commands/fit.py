@@ -35,7 +35,7 @@ _INTERRUPTED = 130
 _FILMS = (".mp4", ".mov", ".m4v", ".avi", ".mkv", ".webm", ".3gp", ".gif")
 # What is weighed and measured. Slope and rate are asked for as well.
 _ASKED = ("disc_mass_kg", "particle_mass_kg", "radius_m", "offset_m")
-_GUESSED = ("inertia_kg_m2", "mu_s", "mu_k", "restitution")
+_GUESSED = ("inertia_kg_m2", "mu_s", "mu_k", "restitution", "rolling_resistance_m")
 # A dry floor, and a rim of which all mass is at the radius.
 _MU_S, _MU_K = 0.5, 0.3
 _FREE = tuple(name for name in OF_HOOP if name != "slope")
@@ -150,7 +150,7 @@ def _parser() -> argparse.ArgumentParser:
             words = (
                 "all mass at the rim"
                 if name == "inertia_kg_m2"
-                else {"mu_s": _MU_S, "mu_k": _MU_K}.get(name, "none")
+                else {"mu_s": _MU_S, "mu_k": _MU_K, "rolling_resistance_m": 0}.get(name, "none")
             )
             hoop.add_argument(
                 _flag(name),
@@ -302,6 +302,7 @@ def _hoop_of(options: argparse.Namespace) -> Hoop:
         mu_k=mu_k,
         slope=slope,
         restitution=options.restitution,
+        rolling_resistance_m=options.rolling_resistance_m or 0.0,
     )
 
 

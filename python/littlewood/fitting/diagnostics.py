@@ -15,7 +15,7 @@ from .._internal.elementwise import Reals
 from .._internal.extras import require
 from .._internal.terminal import printable
 from .calibration import CALIBRATION, determined
-from .problem import ROUGH
+from .problem import OF_HOOP, ROUGH
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -311,7 +311,13 @@ def _contradictions(
     Whether the residuals lean along its derivative, apart from those of the fit.
     """
     found = sorted(
-        (one for one in held if one.is_separate), key=lambda one: abs(one.score), reverse=True
+        (
+            one
+            for one in held
+            if one.is_separate and problem.may_move(one.name, one.value, -one.score)
+        ),
+        key=lambda one: abs(one.score),
+        reverse=True,
     )
     # What explains little of waves in the residuals is not their cause.
     if not found or abs(found[0].score) < max(_LOUD, math.sqrt(max(0.0, _EXPLAINS * excess))):
@@ -323,9 +329,11 @@ def _contradictions(
         if one.name in problem.holdable:
             value, error = _freed(problem, unknowns, one.name, value, error)
         words.append(f"{one.name} {value:.3g} ± {error:.1g} in place of {one.value:.3g}")
+    remedy = ": put it into free" if shown[0].name in OF_HOOP else ""
     yield Doubt(
         "camera" if shown[0].name.startswith(_CAMERA) else "held",
-        f"by {abs(found[0].score):.0f} standard errors the track asks for {' or '.join(words)}",
+        f"by {abs(found[0].score):.0f} standard errors the track asks for "
+        f"{' or '.join(words)}{remedy}",
         tuple(one.name for one in shown),
     )
 

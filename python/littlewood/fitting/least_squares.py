@@ -23,7 +23,7 @@ from .estimate import Estimate
 from .fall import never_flies
 from .given import checked_errors, errors_of_given
 from .noise import Noise, error_of_frames
-from .problem import FINE, OF_HOOP, ROUGH, Problem
+from .problem import FINE, OF_HOOP, RESISTANCE_BEFOREHAND, ROUGH, Problem
 from .profile import rise
 from .result import FitResult, FitWarning, IdentifiabilityWarning
 from .search import STEPS, explains, first_guess, guesses_followed
@@ -34,8 +34,11 @@ __all__ = ["fit"]
 
 
 # The coefficient of restitution says how a motion goes on that would end at its landing: it is
-# asked for.
-_BY_DEFAULT = ("mu_s", "mu_k", "inertia")
+# asked for. Rolling resistance is not: every hoop has some, and a fit without it makes up for the
+# loss by friction and inertia.
+_BY_DEFAULT = ("mu_s", "mu_k", "inertia", "rolling_resistance")
+# What has no value that is smaller than its standard error.
+_POSITIVE = ("mu_s", "mu_k", "inertia")
 # How often the errors are estimated from the residuals, at most.
 _TURNS = 12
 # The probability from which another sequence is named.
@@ -51,6 +54,8 @@ _AT_BOUND = 0.01
 # of two, or more.
 _PROFILED = 2.0
 _OTHER_RISE = 4.0
+# Two parameters that are so correlated are told apart badly.
+_RELATED = 0.9
 # Degrees of freedom of a variance that is known; so many samples tell that an error is smaller.
 _MANY, _TELLING = 1e6, 100.0
 _DEPENDENT = "the motion does not depend on it, apart from the others"
@@ -83,10 +88,11 @@ def fit(
     hoop : Hoop
         The hoop with what is known; its values of what is free are a first guess. Its law of
         restitution is taken as it is.
-    free : iterable of {"mu_s", "mu_k", "inertia", "restitution", "slope"}, optional
-        Parameters to estimate; the first three by default. With "restitution", or with a hoop that
-        has one, the track may continue after a landing. The slope of the plane is that of `hoop`,
-        or with "slope" its first guess, which should be right to about 0.1 rad.
+    free : iterable of str, optional
+        Parameters to estimate: "mu_s", "mu_k", "inertia", "rolling_resistance", which are the
+        default, "restitution" and "slope". With "restitution", or with a hoop that has one, the
+        track may continue after a landing. The slope of the plane is that of `hoop`, or with
+        "slope" its first guess, which should be right to about 0.1 rad.
     slips_at_start : bool, optional
         Whether to estimate the slip velocity at the start; otherwise it is 0. Where a start that
         rolls is the more probable, it is 0 as well, and no `start_slip` is estimated.
@@ -134,7 +140,9 @@ def fit(
         If the motion does not depend on something that is free. μs enters by the instant of a slip
         out of rolling alone (a motion without one gives only a lower bound, the friction that
         rolling needed), μk by slides and by impacts that slip; the inertia enters by rolling,
-        sliding and impacts, not by flight; the coefficient of restitution by impacts alone.
+        sliding and impacts, not by flight; the coefficient of restitution by impacts alone; rolling
+        resistance by what the hoop loses while it turns in contact, which on a ramp that it only
+        rolls down a smaller slope explains as well.
 
     Raises
     ------
@@ -150,19 +158,21 @@ def fit(
     w being the errors that the track has over their median, the fit minimises eᵀV⁻¹e, and the
     covariance of the estimates is (JᵀV⁻¹J)⁻¹ with the derivatives J of all channels by all
     unknowns, those of the camera among them. σ, s and T are those of the largest restricted
-    likelihood, over a grid of s/σ and T. With another `loss` errors are taken for independent. Of a
-    constant of the camera 0 ± 0.1 is known beforehand; they are displacements of what is seen, to
-    first order: floor (0, 1), turn (−y, x), scale (x, y), stretch (x, −y), shear (y, x),
-    perspective_x (x², x y), perspective_y (x y, y²), all that is between two homographies but a
-    shift along x; middle_x and middle_y add cos θ and sin θ to the angle. A frame shows the mean
-    over its exposure, which begins at its time.
+    likelihood, over a grid of s/σ and T. With another `loss` errors are taken for independent.
+    Beforehand a constant of the camera is 0 ± 0.1, and rolling resistance 0 ± 0.05, so that where a
+    track does not tell it the intervals of the others bear it. Constants of the camera are
+    displacements of what is seen, to first order: floor (0, 1), turn (−y, x), scale (x, y), stretch
+    (x, −y), shear (y, x), perspective_x (x², x y), perspective_y (x y, y²), all that is between two
+    homographies but a shift along x; middle_x and middle_y add cos θ and sin θ to the angle. A
+    frame shows the mean over its exposure, which begins at its time.
 
     A parameter counts as not identifiable where the residuals do not depend on it apart from the
     others, where its standard error would exceed its value (or half of its range, for the
-    coefficient of restitution), or where the fit ends at the bound μs = μk: there the motion
-    depends on μs to second order only. The exact simulation makes the residuals smooth in all
-    parameters as long as the sequence of phases is the same, and each impact of the same kind; over
-    the sequences the fit starts from several places.
+    coefficient of restitution), where the track tells less of it than is known beforehand (rolling
+    resistance), or where the fit ends at the bound μs = μk: there the motion depends on μs to
+    second order only. The exact simulation makes the residuals smooth in all parameters as long as
+    the sequence of phases is the same, and each impact of the same kind; over the sequences the fit
+    starts from several places.
 
     Examples
     --------
@@ -314,7 +324,9 @@ def _result(
     for i, name in enumerate(names):
         if name == "restitution" and covariance[i, i] > 0.25:
             reasons.setdefault(name, "its standard error would exceed half of its range")
-        elif name in _BY_DEFAULT and covariance[i, i] > values[name] ** 2:
+        elif name == "rolling_resistance" and covariance[i, i] > 0.5 * RESISTANCE_BEFOREHAND**2:
+            reasons.setdefault(name, _hidden_resistance(names, covariance))
+        elif name in _POSITIVE and covariance[i, i] > values[name] ** 2:
             reasons.setdefault(name, "its standard error would exceed its value")
     reasons |= _unseen(motion, demand)
     reasons = {name: reasons[name] for name in names if name in reasons}
@@ -331,7 +343,10 @@ def _result(
         doubts.append(
             Doubt("identifiability", f"not identifiable from this motion: {words}", tuple(reasons))
         )
-    ends = {name: values[name] for name in met if name not in reasons}
+    # Hardly any rolling resistance is nothing to doubt.
+    ends = {
+        name: values[name] for name in met if name not in reasons and name != "rolling_resistance"
+    }
     if ends:
         words = ", ".join(f"{name} = {value:.4g}" for name, value in ends.items())
         doubts.append(
@@ -381,10 +396,11 @@ def _wrong_intervals(
 ) -> list[Doubt]:
     """Compare the rise of the profile likelihood with that of a parabola.
 
-    It is that at the ends of the normal intervals.
+    It is that at the ends of the normal intervals. On the side of an interval on which rolling
+    resistance would be negative the likelihood ends sooner: such an interval is only too wide.
     """
     wrong: dict[str, float] = {}
-    for name, estimate in estimates.items():
+    for k, (name, estimate) in enumerate(estimates.items()):
         if name not in OF_HOOP or not estimate.identifiable or loss != "linear":
             continue
         low, high = problem.limits(name)
@@ -392,7 +408,13 @@ def _wrong_intervals(
             value = estimate.value + sign * _PROFILED * estimate.std_error
             if low < value < high:
                 found = rise(problem, best.x, covariance, name, value) / _PROFILED**2
-                if not 1.0 / _OTHER_RISE < found < _OTHER_RISE:
+                most = _OTHER_RISE
+                if "rolling_resistance" in estimates:
+                    place = list(estimates).index("rolling_resistance")
+                    moved = (value - estimate.value) * covariance[place, k] / covariance[k, k]
+                    if estimates["rolling_resistance"].value + moved < 0.0:
+                        most = math.inf
+                if not 1.0 / _OTHER_RISE < found < most:
                     wrong[name] = found
     if not wrong:
         return []
@@ -442,6 +464,20 @@ def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:
     if not impacts:
         reasons["restitution"] = "no impact was seen"
     return reasons
+
+
+def _hidden_resistance(names: tuple[str, ...], covariance: Reals) -> str:
+    """Return why a track does not tell the rolling resistance, and what would."""
+    place = names.index("rolling_resistance")
+    sizes = np.sqrt(np.diag(covariance))
+    related = np.abs(covariance[place]) / (sizes * sizes[place])
+    related[place] = 0.0
+    other = int(np.argmax(related))
+    if related[other] < _RELATED:
+        return "the hoop hardly turns in contact: let it roll longer"
+    if names[other] == "slope":
+        return "a smaller slope explains the same: let it roll up and down, or measure the slope"
+    return f"{names[other]} explains the same: let it roll longer"
 
 
 def _covariance(jacobian: Reals) -> tuple[Reals, npt.NDArray[np.bool_]]:

@@ -22,7 +22,7 @@ from .track import Track
 __all__ = ["CLOCK", "FINE", "LEAST_INERTIA", "OF_HOOP", "ROUGH", "Problem"]
 
 
-OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution", "slope")
+OF_HOOP = ("mu_s", "mu_k", "inertia", "restitution", "rolling_resistance", "slope")
 # What is weighed and measured, and a stretch of all times: a fit asks whether the track contradicts
 # them.
 _MEASURED = ("mass_ratio", "offset")
@@ -35,6 +35,10 @@ LEAST_INERTIA = 1e-6
 _LARGEST_FRICTION = 1e3
 _LARGEST_INERTIA = 1e6
 _STEEPEST = 1.57
+# Largest coefficient of rolling resistance that is tried: a hoop then hardly turns. The first guess
+# where the hoop has none, because a minimum is sought from within the bounds.
+_LARGEST_RESISTANCE = 1.0
+_TRY_RESISTANCE = 0.002
 # Largest rate and slip of the start, √(g/R) and √(g R): no film shows a hoop that is as fast.
 _FASTEST = 1e3
 _CAMERA = "camera_"
@@ -44,6 +48,7 @@ _SLIP = "start_slip"
 _HELD = {"mu_k": (0.0, math.inf), "inertia": (LEAST_INERTIA, math.inf), "restitution": (0.0, 1.0)}
 _HELD[_EXPOSURE] = (0.0, math.inf)
 _HELD |= {"slope": (-_STEEPEST, _STEEPEST), "mass_ratio": (0.0, math.inf), "offset": (0.0, 1.0)}
+_HELD["rolling_resistance"] = (0.0, _LARGEST_RESISTANCE)
 # Part of a value, or of 1, by which differences for derivatives go to either side.
 _STEP = 6e-6
 # An imaginary step: what a camera shows has no difference that could be rounded.
@@ -56,6 +61,10 @@ _MOST_STEPS = 100
 # far better as a rule; where it does not, they stay reasonable. An exposure is anything from none
 # to the time between two frames.
 _PRIOR = 0.1
+RESISTANCE_BEFOREHAND = 0.05
+"""What rolling resistance is before the track is seen: 0 ± 0.05, and not negative. A hoop on a hard
+floor has less than 0.02, on a carpet 0.05. A track on which it rolls tells it far better; one that
+does not leaves to the other unknowns what this does to them."""
 
 
 def _camera_of(values: Mapping[str, Any]) -> dict[str, float]:
@@ -96,9 +105,16 @@ class Problem:
             for name, seen in self._seen.items()
         }
         step = self._longest = float(np.median(np.diff(self.track.time)))
-        camera = np.array(self.camera_names, dtype=object)
-        self._before = np.where(camera == _EXPOSURE, 0.5 * step, 0.0)
-        self._deviation = np.where(camera == _EXPOSURE, step / math.sqrt(12.0), _PRIOR)
+        beforehand = {_EXPOSURE: (0.5 * step, step / math.sqrt(12.0))}
+        beforehand["rolling_resistance"] = (0.0, RESISTANCE_BEFOREHAND)
+        told = [
+            (k, *beforehand.get(name, (0.0, _PRIOR)))
+            for k, name in enumerate(self.names)
+            if name.startswith(_CAMERA) or name in beforehand
+        ]
+        self._told = np.array([k for k, _, _ in told], dtype=np.intp)
+        self._before = np.array([mean for _, mean, _ in told])
+        self._deviation = np.array([deviation for _, _, deviation in told])
         self._last: tuple[tuple[float, ...], Exposures] | None = None
         self._last_derivatives: tuple[bytes, dict[str, Reals]] | None = None
 
@@ -106,7 +122,7 @@ class Problem:
         """Return the same with constants of the camera among the unknowns, and these."""
         names = self.names + tuple(_CAMERA + name for name in camera)
         found = replace(self, names=names)
-        return found, np.concatenate([unknowns, found._before])
+        return found, np.concatenate([unknowns, found._before[-len(camera) :]])
 
     def camera_of(self, unknowns: Reals) -> Reals:
         """Return the unknowns with the constants of the camera that belong to the others."""
@@ -135,6 +151,7 @@ class Problem:
         known = {name: getattr(self.hoop, name) for name in OF_HOOP} | values
         if known["restitution"] is None:
             known["restitution"] = _TRY_RESTITUTION[0]
+        known["rolling_resistance"] = known["rolling_resistance"] or _TRY_RESISTANCE
         known["mu_s"] = (
             max(known["mu_s"] - known["mu_k"], 1e-6) if "mu_k" in self.names else known["mu_s"]
         )
@@ -190,6 +207,7 @@ class Problem:
             "mu_k": (0.0, _LARGEST_FRICTION if "mu_s" in self.names else self.hoop.mu_s),
             "inertia": (LEAST_INERTIA, _LARGEST_INERTIA),
             "restitution": (0.0, 1.0),
+            "rolling_resistance": _HELD["rolling_resistance"],
             "slope": (-_STEEPEST, _STEEPEST),
             "start_theta_rate": (-_FASTEST, _FASTEST),
             _SLIP: (-_FASTEST, _FASTEST),
@@ -271,15 +289,13 @@ class Problem:
     def scaled(self, unknowns: Reals) -> Reals:
         """Return the residuals as numbers that are independent and of size 1.
 
-        The constants of the camera follow.
+        Those of what is known beforehand follow.
         """
         residuals = self.residuals(unknowns)
         parts = [
             self._white[name](residual[self._seen[name]]) for name, residual in residuals.items()
         ]
-        # Constants of the camera are the last of the unknowns.
-        camera = unknowns[unknowns.size - self._before.size :]
-        return np.concatenate([*parts, (camera - self._before) / self._deviation])
+        return np.concatenate([*parts, (unknowns[self._told] - self._before) / self._deviation])
 
     def cost(self, unknowns: Reals) -> float:
         """Return half the sum of squares, as a fit has it."""
@@ -390,8 +406,7 @@ class Problem:
     def jacobian(self, unknowns: Reals) -> Reals:
         """Return the derivatives of :meth:`scaled`."""
         parts = [*self.whitened(self.derivatives(unknowns)).values()]
-        rest = unknowns.size - self._before.size
-        return np.vstack([*parts, np.eye(unknowns.size)[rest:] / self._deviation[:, None]])
+        return np.vstack([*parts, np.eye(unknowns.size)[self._told] / self._deviation[:, None]])
 
     def whitened(self, by_channel: dict[str, Reals]) -> dict[str, Reals]:
         """Return what was seen as numbers whose errors are independent and of size 1."""
@@ -416,6 +431,11 @@ class Problem:
         return {
             channel: (above[channel] - below[channel]) / (ends[1] - ends[0]) for channel in below
         }
+
+    def may_move(self, name: str, value: float, direction: float) -> bool:
+        """Whether something that is held may become larger or smaller, by the sign."""
+        low, high = _HELD.get(name, (-math.inf, math.inf))
+        return value < high if direction > 0.0 else value > low
 
     def fixed(self, name: str, values: dict[str, Any]) -> tuple[Problem, Reals] | None:
         """Return the same with a parameter of the hoop fixed, and a guess of the others.
