@@ -17,7 +17,7 @@ __all__ = ["IN_PARTS", "checked_errors", "errors_of_given"]
 IN_PARTS = ("mass_ratio", "offset", "inertia")
 """What is known as a part of its value."""
 
-_OTHERS = ("slope", "clock", *(f"camera_{name}" for name in CALIBRATION))
+_OTHERS = ("slope", "clock", "rolling_resistance", *(f"camera_{name}" for name in CALIBRATION))
 # Singular values that are smaller, as a part of the largest, tell nothing.
 _LOST = 1e-8
 
