@@ -9,17 +9,17 @@ set -euo pipefail
 source "$(dirname "$0")/../scripts/common.sh"
 
 wasm=wasm32-unknown-unknown
-flags=(build --locked --profile web --target "$wasm" -p littlewood-web)
 debian=/usr/bin/rustc
 debian_source=/usr/lib/rustlib/src/rust/library/std
 [ -d "$debian_source" ] || debian_source="$("$debian" --print sysroot 2>/dev/null || true)/lib/rustlib/src/rust/library/std"
 
+cargo=(cargo)
 if [ -d "$(rustc --print sysroot)/lib/rustlib/$wasm" ]; then
-  cargo "${flags[@]}"
+  :
 elif [ -x "$debian" ] && [ -d "$debian_source" ]; then
-  linker="$(rustc --print sysroot)/lib/rustlib/$(rustc -vV | sed -n 's/^host: //p')/bin/rust-lld"
-  CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER="$linker" RUSTC="$debian" RUSTC_BOOTSTRAP=1 \
-    cargo -Zbuild-std=std,panic_abort "${flags[@]}"
+  CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER="$(rustc --print sysroot)/lib/rustlib/$(rustc -vV | sed -n 's/^host: //p')/bin/rust-lld"
+  cargo=(env "RUSTC=$debian" RUSTC_BOOTSTRAP=1 cargo -Zbuild-std=std,panic_abort)
+  export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER
 else
   cat >&2 <<'MISSING'
 error: no compiler here can build for WebAssembly
@@ -30,8 +30,14 @@ MISSING
   exit 2
 fi
 CARGO_TARGET_DIR="$target/bindgen" cargo build --locked --manifest-path web/bindgen/Cargo.toml
-"$target/bindgen/debug/bindgen" "$target/$wasm/web/littlewood_web.wasm" web/src/wasm
-ls -l web/src/wasm/*.wasm
+rm -rf web/src/wasm
+# What the first picture needs, and what is fetched after it: crates/littlewood-web has both as features.
+for part in first later; do
+  "${cargo[@]}" build --locked --profile web --target "$wasm" -p littlewood-web --no-default-features --features "$part"
+  mkdir -p "web/src/wasm/$part"
+  "$target/bindgen/debug/bindgen" "$target/$wasm/web/littlewood_web.wasm" "web/src/wasm/$part"
+done
+ls -l web/src/wasm/*/*.wasm
 
 if [ "${1:-}" != wasm ]; then
   npm_packages

@@ -2,11 +2,11 @@
 // committed. After `web/build.sh wasm`.
 
 import { readFileSync } from 'node:fs';
-import { digestLine, initSync } from './src/wasm/littlewood_web.js';
+import { digestLine, initSync } from './src/wasm/later/littlewood_web.js';
 
 const read = (path) => readFileSync(new URL(path, import.meta.url));
 
-initSync({ module: read('src/wasm/littlewood_web_bg.wasm') });
+initSync({ module: read('src/wasm/later/littlewood_web_bg.wasm') });
 const committed = read('../crates/littlewood-digest/digest.txt').toString().trimEnd().split('\n');
 let differing = 0;
 for (const [block, line] of committed.entries()) {

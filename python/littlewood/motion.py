@@ -236,8 +236,9 @@ class Outcome:
         `grazing_theta_rate`, and `slips_to_halve` its distance; `theta_gained` and `transitions` in
         the period of a periodic one; `transitions` at their limit; `consistent`, `rolling_normal`,
         `rolling_friction`, `contact`, `solvability_negative`, `solvability_positive` where no
-        motion or several are consistent; `solvability` of a singular slide; what an unresolved
-        motion depends on: `compared`, its `value` and the `bound` of its rounding, or of its range.
+        motion or several are consistent, and `resisted_denominator` where a jam is one of them;
+        `solvability` of a singular slide; what an unresolved motion depends on: `compared`, its
+        `value` and the `bound` of its rounding, or of its range.
     sentence : str
         The end in words.
     """

@@ -342,7 +342,7 @@ def test_good_tracks_that_were_refused(name, known, slope, sequence, true):
     assert abs(fall.gravity - 1.0) < 4.0 * fall.std_error
     result = fit_command._fit(options, track, hoop, False)
     assert result.motion.sequence == sequence
-    assert {doubt.name for doubt in result.doubts} <= {"identifiability", "interval"}
+    assert {doubt.name for doubt in result.doubts} <= {"identifiability", "interval", "unseen"}
     for one, value in true.items():
         estimate = result.estimates[one]
         assert abs(estimate.value - value) < 4.0 * estimate.std_error < 0.05, one

@@ -395,6 +395,19 @@ def test_a_picture_of_every_case_shows_its_phases(name):
         assert all(np.isfinite(line.get_ydata()).any() for line in lines)
 
 
+def check_motion_over_plane(axes, motion):
+    """The motion is drawn over the plane, in the modes that it has."""
+    over = [line for line in axes.get_lines() if line.get_linewidth() == BOLD]
+    shown = [phase for phase in motion.phases if phase.start_time <= motion.shown_until]
+    assert [to_hex(line.get_color()) for line in over] == [
+        MODE_COLOURS[phase.mode] for phase in shown
+    ]
+    for line in over:
+        angle = np.asarray(line.get_xdata(), dtype=float)
+        assert np.isfinite(angle).all()
+        assert -math.pi <= angle.min() and angle.max() <= math.pi
+
+
 @pytest.mark.parametrize("name", list(lw.CASES))
 def test_the_plane_of_every_case_shows_its_curves(name):
     motion = motion_of(name)
@@ -408,6 +421,16 @@ def test_the_plane_of_every_case_shows_its_curves(name):
             drawn[to_hex(collection.get_color()[0]), is_solid] = np.concatenate(
                 collection.get_segments()
             ).T
+    check_motion_over_plane(axes, motion)
+    theta, rate = drawn.get((CURVE_COLOURS["lift_off"], False), np.empty((2, 0)))
+    lift_off = motion.hoop.h * np.cos(theta) * rate**2
+    np.testing.assert_allclose(lift_off, math.cos(motion.hoop.slope), rtol=1e-12)
+    if motion.hoop.rolling_resistance > 0.0:
+        # Rolling has other limits one way than the other, and no region of both: a lift-off out of
+        # sliding does not feel the resistance, and is all that is drawn.
+        assert set(drawn) <= {(CURVE_COLOURS["lift_off"], False)}
+        assert not axes.texts
+        return
     # Where they are drawn their equations hold; where rates are large forces are, and their errors.
     theta, rate = drawn[CURVE_COLOURS["normal_force_zero"], True]
     np.testing.assert_allclose(plane.normal(theta, rate) / (1.0 + rate**2), 0.0, atol=1e-12)
@@ -428,16 +451,6 @@ def test_the_plane_of_every_case_shows_its_curves(name):
     assert np.mean(inside == plane.in_rolling_region(*grid.T)) > 0.99
     assert len(axes.texts) >= 1
     assert {text.get_text() for text in axes.texts} <= {_core.unicode("*f*"), _core.unicode("*n*")}
-    # The motion over it, in the modes that it has.
-    over = [line for line in axes.get_lines() if line.get_linewidth() == BOLD]
-    shown = [phase for phase in motion.phases if phase.start_time <= motion.shown_until]
-    assert [to_hex(line.get_color()) for line in over] == [
-        MODE_COLOURS[phase.mode] for phase in shown
-    ]
-    for line in over:
-        angle = np.asarray(line.get_xdata(), dtype=float)
-        assert np.isfinite(angle).all()
-        assert -math.pi <= angle.min() and angle.max() <= math.pi
 
 
 def test_the_font_draws_the_letters_of_the_figures():

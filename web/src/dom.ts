@@ -19,6 +19,9 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+/** A person who wants nothing to move by itself. */
+export const STILL = matchMedia('(prefers-reduced-motion: reduce)');
+
 /** A piece of a line as legends show it. */
 export function line(width: number, dash: readonly number[]): SVGElement {
   const space = 'http://www.w3.org/2000/svg';

@@ -10,7 +10,6 @@ import './style/dialogue.css';
 import './style/levels.css';
 import './style/screens.css';
 import './style/embed.css';
-import { coreModule } from './core/module';
 import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
 import { byId } from './dom';
@@ -47,7 +46,7 @@ import { Plots } from './views/plots';
 const ADDRESS_PAUSE = 250;
 
 watch();
-await startCore(await coreModule(), showDefect);
+await startCore(showDefect);
 if (!namesAgree()) throw new Error('page and core have different versions');
 start(JSON.parse(casesOfCore()) as NamedCase[]);
 
@@ -82,8 +81,11 @@ function start(cases: NamedCase[]): void {
     // What is shown of the instant may be out of view.
     byId('hoop', HTMLCanvasElement).scrollIntoView({ block: 'nearest' });
   };
-  const hoop = new HoopPane(lab, clock, palette, draw);
-  const plane = new PlanePane(lab, palette, draw, showDefect);
+  /** Letters, forces in numbers and what is predicted are for lessons and the full view. */
+  const isPlain = (): boolean => level.isSimple && ask.lesson === null;
+  const hoop = new HoopPane(lab, clock, palette, isPlain, draw);
+  const isWhole = (): boolean => !lab.state.view.embed && !level.isSimple;
+  const plane = new PlanePane(lab, palette, isWhole, draw, showDefect);
   const plots = new Plots(byId('plots', HTMLDivElement), palette, (time) => {
     clock.pause();
     lab.setTime(time);
@@ -107,7 +109,7 @@ function start(cases: NamedCase[]): void {
   const phases = new PhaseTable(lab, go);
   const energy = new EnergyBar(lab);
   const impact = new ImpactPane(lab, palette, draw, go);
-  const moves = new MovesPane(lab, draw);
+  const moves = new MovesPane(lab, draw, showDefect);
   watchDrags(lab);
   new Share(
     lab,
@@ -121,11 +123,11 @@ function start(cases: NamedCase[]): void {
   );
   const embedding = new Embedding(lab);
 
-  const stale = { motion: true, time: true };
+  const stale = { motion: true, time: true, tables: false };
   function paint(): void {
     frame = 0;
     hoop.paint();
-    if (lab.state.view.embed) return;
+    if (!isWhole()) return;
     if (stale.motion) {
       const { motion, units, pinned, state } = lab;
       plots.setMotion({
@@ -155,25 +157,28 @@ function start(cases: NamedCase[]): void {
   let theme: Theme = lab.state.view.theme;
   let reading = false;
 
+  /** What the simple view has not. */
+  const showTables = (): void => {
+    stale.tables = false;
+    fields.show();
+    bar.show();
+    phases.showMotion();
+    impact.showMotion();
+    moves.showMotion();
+  };
+
   lab.onChange((changes: ReadonlySet<Change>) => {
     if (changes.has('motion')) {
       stale.motion = true;
       transport.showMotion();
       story.showMotion();
-      phases.showMotion();
       words.showMotion();
       compare.showMotion();
       ask.showMotion();
       energy.showMotion();
-      impact.showMotion();
-      moves.showMotion();
-      bar.show();
     }
-    if (changes.has('errors')) {
-      fields.show();
-      bar.show();
-      if (!reading) showLinkErrors([]);
-    }
+    stale.tables ||= changes.has('motion') || changes.has('errors');
+    if (changes.has('errors') && !reading) showLinkErrors([]);
     if (changes.has('view')) {
       embedding.showView();
       level.showView();
@@ -186,16 +191,20 @@ function start(cases: NamedCase[]): void {
         showTheme();
       }
     }
+    // Out of sight they wait for the end of a drag, which has the time.
+    if (stale.tables && !(level.isSimple && lab.held)) showTables();
     if (changes.has('hoop')) plane.hoopChanged();
     if (changes.has('time')) {
       stale.time = true;
       transport.showTime();
       story.showTime();
-      phases.showTime();
       ask.showTime();
       mark.showTime();
       energy.showTime();
-      impact.showTime();
+      if (!stale.tables) {
+        phases.showTime();
+        impact.showTime();
+      }
     }
     plane.motionChanged();
     draw();
@@ -229,6 +238,8 @@ function start(cases: NamedCase[]): void {
   /** The question of a lesson, and the motion that is pinned for it. */
   const openQuestion = (lesson: LessonName | null): void => {
     ask.open(lesson);
+    // A lesson begins with the simple view.
+    lab.setView({});
     const pin = lesson === null ? undefined : LESSONS[lesson].pin;
     lab.pin(pin === undefined ? null : parse(pin).state.problem);
   };

@@ -25,7 +25,15 @@ test('data have the format of the command line', async ({ page }) => {
   expect(document.case).toBe('figure-3');
   expect(document.transitions).toHaveLength(4);
   expect(Math.abs(document.transitions[2].time - 1.518670213819437)).toBeLessThan(1e-14);
-  expect(document.samples).toBeUndefined();
+  // As samples, unless the field is emptied: then as events.
+  const instants = 400 + 2 * 3;
+  expect(document.samples).toHaveLength(instants);
+  const curves = await text(page, '#save-csv');
+  const [columns, ...rows] = curves.text.trim().split('\n');
+  expect(columns!.split(',')).toEqual(expect.arrayContaining(['normal', 'friction', 'energy']));
+  expect(rows).toHaveLength(instants);
+  await page.locator('#samples').fill('');
+  expect(JSON.parse((await text(page, '#save-json')).text).samples).toBeUndefined();
   const csv = await text(page, '#save-csv');
   expect(csv.text.split('\n')[0]).toBe('time,theta,theta_rate,slip,x,from,to,direction,cause');
   expect(csv.text.trim().split('\n')).toHaveLength(6);
@@ -35,6 +43,31 @@ test('data have the format of the command line', async ({ page }) => {
   expect(sampled.text.trim().split('\n')).toHaveLength(1 + 100 + 2 * 3);
   await page.locator('#samples').fill('1');
   await expect(page.locator('#samples-message')).not.toBeEmpty();
+});
+
+test('what is copied says so where it is seen, from the page and from the dialogue', async ({
+  page,
+  context,
+}) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await open(page, 'case=figure-3');
+  /** Whether nothing lies over the note. */
+  const isSeen = (): Promise<boolean> =>
+    page.locator('#toast').evaluate((note) => {
+      const { x, y, width, height } = note.getBoundingClientRect();
+      note.style.pointerEvents = 'auto';
+      const top = document.elementFromPoint(x + width / 2, y + height / 2);
+      return width > 0 && getComputedStyle(note).visibility === 'visible' && note.contains(top);
+    });
+  for (const button of ['#copy-link', '#copy-python-text']) {
+    if (button !== '#copy-link') await page.locator('#open-share').click();
+    await page.locator(button).click();
+    await expect(page.locator('#toast')).toHaveText('Copied.');
+    await expect.poll(isSeen).toBe(true);
+  }
+  expect(await page.evaluate(() => navigator.clipboard.readText())).toContain(
+    'lw.case("figure-3")',
+  );
 });
 
 test('every view is an SVG and a PNG', { tag: '@thorough' }, async ({ page }) => {

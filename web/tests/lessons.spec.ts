@@ -15,6 +15,9 @@ const TRUTH = {
   weight: { modes: ['rolling'], right: 'Only the pale one' },
   // Figure 7: it rolls, and glides until the particle reaches the plane.
   massless: { modes: ['rolling', 'gliding'], right: 'It stays down' },
+  // Without resistance it rolls for ever. A half swing of a small amplitude a loses 2χ/h, so that two
+  // lose all of a = π − 2.5 at χ = ah/4 = 0.080.
+  stop: { modes: ['rolling'], right: 'About 0.08' },
 } as const;
 
 for (const [name, { modes, right }] of Object.entries(TRUTH)) {
@@ -36,6 +39,33 @@ for (const [name, { modes, right }] of Object.entries(TRUTH)) {
     await expect(page).not.toHaveURL(/lesson=/);
   });
 }
+
+test('in the lesson of the stop the hoop swings less and less, and rests in a band', async ({
+  page,
+}) => {
+  await open(page, 'lesson=stop');
+  const resistance = page.getByRole('slider', { name: 'Rolling resistance' });
+  await expect(resistance).toHaveAttribute('aria-valuetext', 'none, as in the paper');
+  for (const { chi, passes } of [
+    { chi: 0.05, passes: true },
+    { chi: 0.07, passes: true },
+    { chi: 0.08, passes: false },
+    { chi: 0.1, passes: false },
+  ]) {
+    await resistance.fill(String(chi));
+    await expect(resistance).toHaveAttribute('aria-valuetext', String(chi));
+    const places = (await phases(page)).map(({ theta }) => theta);
+    // Turning points: on the far side, and back again.
+    expect(places[1]!).toBeGreaterThan(Math.PI);
+    expect(places[2]! < Math.PI).toBe(passes);
+    // With h = 1/2.
+    expect(Math.abs(0.5 * Math.sin(places.at(-1)!))).toBeLessThan(chi);
+    for (const theta of places.slice(1, -1))
+      expect(0.5 * Math.abs(Math.sin(theta))).toBeGreaterThan(chi);
+  }
+  await page.locator('#last').click();
+  await expect(page.locator('#mode')).toHaveText('rest');
+});
 
 test('every lesson is tested', () => {
   expect(Object.keys(texts.lessons)).toEqual(Object.keys(TRUTH));

@@ -16,14 +16,73 @@ test('a first visit is asked a question, and the motion answers it', async ({ pa
   await page.getByRole('button', { name: 'It hops' }).click();
   await expect(page.locator('#play')).toHaveAttribute('data-state', 'playing');
   await expect(page.locator('#hop')).toBeVisible({ timeout: 30_000 });
-  // The rim gets 0.631 R high (evidence/reference), told where it lands.
+  // The rim gets 0.631 R high (evidence/reference), told as soon as it hops: it is still in the air.
   await expect(page.locator('#answer')).toHaveText(
     /^HOP: 0\.63 R high\. You were right\. Drag the weight/,
     { timeout: 30_000 },
   );
+  await expect(page.locator('#hop')).toBeVisible();
   await expect(flight).toBeVisible();
   await page.locator('#first').click();
   await expect(page.locator('#answer')).toBeEmpty();
+});
+
+test('where nothing may move by itself a guess does not play: the answer is there', async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page);
+  await page.getByRole('button', { name: 'It stays down' }).click();
+  await expect(page.locator('#answer')).toHaveText(/^HOP: 0\.63 R high\. You guessed otherwise\./);
+  await expect(page.locator('#play')).toHaveAttribute('data-state', 'paused');
+});
+
+test('while the weight is dragged on a phone, the simple view shows nothing but the hoop', async ({
+  browser,
+  baseURL,
+}) => {
+  const context = await browser.newContext({
+    viewport: { width: 360, height: 740 },
+    hasTouch: true,
+    isMobile: true,
+    baseURL: baseURL!,
+  });
+  const page = await context.newPage();
+  // What is written on the hoop, and where the inset of the forces is filled.
+  await page.addInitScript(() => {
+    const written: string[] = [];
+    Object.assign(window, { written });
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...rest) {
+      if (this.canvas.id === 'hoop') written.push(text);
+      fillText.call(this, text, ...rest);
+    };
+  });
+  /** What is written on the hoop while it is dragged, with the finger or with the keys. */
+  const written = (): Promise<string[]> =>
+    page.evaluate(() => [
+      ...new Set((window as unknown as { written: string[] }).written.splice(0)),
+    ]);
+  const isNumber = (text: string): boolean => /^[−\d.]+$/.test(text);
+  for (const { state, letters } of [
+    { state: 'level=full', letters: true },
+    { state: 'level=simple', letters: false },
+  ]) {
+    await page.goto('about:blank');
+    await open(page, `case=figure-3&map=0&${state}`);
+    if (letters) await expect(page.locator('#moves-sentence')).not.toBeEmpty();
+    await written();
+    const weight = page.locator('.weight');
+    await weight.focus();
+    for (let k = 0; k < 3; k++) await page.keyboard.press('ArrowUp');
+    await expect(page).toHaveURL(/theta_rate=2\.15/);
+    const texts = (await written()).filter((it) => !isNumber(it));
+    if (letters) expect(texts).toEqual(expect.arrayContaining(['C', 'N', 'weight']));
+    else expect(texts.sort()).toEqual(['R', 'weight']);
+    await expect(page.locator('#ghost')).toBeVisible({ visible: letters });
+    await expect(page.locator('.slope')).toBeVisible({ visible: letters });
+  }
+  await context.close();
 });
 
 test('it plays at a quarter of the speed around the lift-off', async ({ page }) => {

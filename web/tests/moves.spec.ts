@@ -3,6 +3,12 @@
 import { expect, type Page, test } from '@playwright/test';
 import { FIGURE_3_LANDING, field, open, pixelOf, type } from './lab';
 
+/** Opens a motion, and waits for the derivatives. */
+async function openWithMoves(page: Page, state: string): Promise<void> {
+  await open(page, state);
+  await expect(page.locator('#moves-sentence')).not.toBeEmpty();
+}
+
 /** The moves that are shown, in their order. */
 const shown = (
   page: Page,
@@ -19,7 +25,7 @@ const shown = (
 test('the bars of a landing are the differences of two motions, the largest first', async ({
   page,
 }) => {
-  await open(page, 'case=figure-3&at=9&map=0');
+  await openWithMoves(page, 'case=figure-3&at=9&map=0');
   await expect(page.locator('#moves-place')).toHaveText('landing, τ = 3.8474');
   const rows = await shown(page);
   expect(rows.map((it) => Math.abs(it.moved))).toEqual(
@@ -54,7 +60,7 @@ test('the bars of a landing are the differences of two motions, the largest firs
 test('what is moved can be chosen with the keys, and has the units that are shown', async ({
   page,
 }) => {
-  await open(page, 'case=figure-3&at=9&map=0');
+  await openWithMoves(page, 'case=figure-3&at=9&map=0');
   await page.getByRole('combobox', { name: 'What is moved' }).focus();
   await page.keyboard.press('End');
   await expect(page.locator('#moves-sentence')).toHaveText(/moves x by [+−][\d.]+ R\.$/);
@@ -83,7 +89,7 @@ test('an event without derivatives says why', async ({ page }) => {
 test('while the start is dragged the landing is predicted from before, beside the exact one', async ({
   page,
 }, info) => {
-  await open(page, 'case=figure-3&map=0');
+  await openWithMoves(page, 'case=figure-3&map=0');
   const ghost = page.locator('#ghost');
   await expect(ghost).toBeHidden();
   const from = await pixelOf(page, Math.PI / 2, 2);
@@ -112,7 +118,7 @@ test('while the start is dragged the landing is predicted from before, beside th
 });
 
 test('a slider of what has no derivative gives the reason', async ({ page }) => {
-  await open(page, 'case=figure-3&map=0');
+  await openWithMoves(page, 'case=figure-3&map=0');
   await page.locator('#slider-slip').focus();
   await page.keyboard.press('ArrowRight');
   await expect(page.locator('#ghost')).toContainText(

@@ -24,7 +24,9 @@ pub fn key_of_curve(curve: Curve, slope: f64) -> (Mark, String) {
         Curve::SlipLimit => "*f*: |*F*| = *μ*_{s}*N* in rolling".to_owned(),
         Curve::NormalForceZero => "*n*: *N* = 0 in rolling".to_owned(),
         Curve::LiftOff => format!("{}: *N* = 0 in sliding", lift_off_condition(slope)),
-        Curve::Separatrix | Curve::ReverseChatter | Curve::Level => curve.label(slope).to_owned(),
+        Curve::Separatrix | Curve::ReverseChatter | Curve::Level | Curve::BandOfRest => {
+            curve.label(slope).to_owned()
+        }
     };
     (Mark::Line(Stroke::of_curve(curve)), words)
 }

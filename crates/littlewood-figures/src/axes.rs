@@ -83,16 +83,22 @@ pub(crate) fn portrait_window(hoop: &Hoop) -> Window {
     }
 }
 
-/// θ′ of the separatrix at the stable equilibrium, and the least θ′ of rolling with N = 0; each is
-/// 0 if it does not exist.
+/// θ′ of the separatrix at the stable equilibrium, and the least θ′ of rolling with N = 0, without
+/// rolling resistance, which hardly changes them; each is 0 if it does not exist.
 fn rates(hoop: &Hoop) -> [f64; 2] {
-    let plane = PhasePlane::new(hoop);
+    let free = Hoop::new(hoop.parameters().with_rolling_resistance(0.0));
+    let plane = PhasePlane::new(&free.unwrap_or(*hoop));
     let stable = plane
         .equilibria()
         .into_iter()
         .find(|it| matches!(it.stability, Stability::Stable { .. }));
     let separatrix = plane.separatrix_rate(stable.map_or(PI, |it| it.theta.rem_euclid(TAU)));
     [separatrix, plane.normal_force_rate(0.0).unwrap_or(0.0)]
+}
+
+/// θ′ of the separatrix at the stable equilibrium, without rolling resistance.
+pub(crate) fn separatrix_rate(hoop: &Hoop) -> f64 {
+    rates(hoop)[0]
 }
 
 /// Where an axis of rates up to this one begins to be logarithmic: at the less of both rates, if

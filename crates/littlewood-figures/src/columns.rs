@@ -31,6 +31,8 @@ pub(crate) const ORBIT: [&str; 3] = [THETA, THETA_RATE, ENERGY];
 pub(crate) const Y: &str = "y";
 /// What a motion has lost.
 pub(crate) const LOST: &str = "energy_lost";
+/// The couple of rolling resistance over the radius.
+pub(crate) const COUPLE: &str = "couple_over_radius";
 /// |F|/N.
 pub(crate) const DEMAND: &str = "demand";
 /// The constant of gliding, an energy of the particle.
@@ -43,6 +45,7 @@ pub(crate) fn dimension(column: &str) -> Dimension {
     let own = match column {
         Y => Some(Dimension::Length),
         W | LOST => Some(Dimension::Energy),
+        COUPLE => Some(Dimension::Force),
         IMPULSE | NORMAL_IMPULSE | FRICTION_IMPULSE => Some(Dimension::Impulse),
         _ => None,
     };

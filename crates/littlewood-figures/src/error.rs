@@ -77,6 +77,14 @@ pub enum FigureError {
     /// A figure of §3 asked for a slope, on which its lines are others.
     #[error("{figure} shows a level plane, as the paper; this one has the slope {slope} rad")]
     NeedsLevel { figure: &'static str, slope: f64 },
+    /// A figure of energies of rolling asked for rolling resistance, which takes energy.
+    #[error(
+        "{figure} shows rolling by its energy, which rolling resistance takes; this hoop has the coefficient {resistance}"
+    )]
+    NeedsNoResistance {
+        figure: &'static str,
+        resistance: f64,
+    },
     /// A width or a scale out of bounds.
     #[error(transparent)]
     Draw(#[from] DrawError),

@@ -164,13 +164,17 @@ impl FigureInput {
         }
     }
 
-    /// Refuses all but Littlewood's hoop with static friction.
+    /// Refuses all but Littlewood's hoop with static friction and without rolling resistance.
     pub(crate) fn littlewood_that_rolls(
         &self,
         figure: &'static str,
     ) -> Result<Massless, FigureError> {
         let body = self.littlewood(figure)?;
         self.level(figure)?;
+        let resistance = self.hoop.rolling_resistance();
+        if resistance > 0.0 {
+            return Err(FigureError::NeedsNoResistance { figure, resistance });
+        }
         if self.hoop.mu_s() > 0.0 {
             Ok(body)
         } else {

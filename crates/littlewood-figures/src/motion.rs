@@ -27,6 +27,9 @@ const CROWD: usize = 64;
 const SHOWN: usize = 24;
 const INSTANTS_OF_A_CROWD: f64 = 6_000.0;
 
+/// How long the rest at the end is seen, in parts of the motion before.
+const RESTING: f64 = 0.08;
+
 /// How much of a phase passes along an arrow of time.
 const SOON: f64 = 0.03;
 
@@ -112,8 +115,21 @@ impl Shown {
         let (all, shown) = (self.transitions().len(), self.passed().count());
         let at = self.say.value(self.until, Dimension::Time);
         let time = self.say.time();
+        let end = self
+            .phases()
+            .last()
+            .map(|phase| (phase.mode(), phase.start().time));
+        let rests = match end {
+            Some((Mode::Rest, since)) => {
+                format!(
+                    " The hoop rests at {time} = {}.",
+                    self.say.value(since, Dimension::Time)
+                )
+            }
+            _ => String::new(),
+        };
         (shown < all).then(|| {
-            format!("Shown is the beginning, to {time} = {at}, with {shown} of {all} transitions.")
+            format!("Shown is the beginning, to {time} = {at}, with {shown} of {all} transitions.{rests}")
         })
     }
 
@@ -125,7 +141,10 @@ impl Shown {
         row: impl Fn(&Sample) -> [f64; N],
     ) -> Modes {
         let of_mode = |mode: Mode| {
-            let phases = self.phases().iter().filter(|phase| phase.mode() == mode);
+            let phases = self
+                .phases()
+                .iter()
+                .filter(|phase| phase.mode() == mode && phase.start().time <= self.until);
             let pieces: Vec<Vec<[f64; N]>> = phases
                 .map(|phase| self.instants(phase).iter().map(&row).collect())
                 .collect();
@@ -220,6 +239,12 @@ fn horizon(motion: &Trajectory) -> f64 {
     };
     if let Some(time) = cut {
         return time;
+    }
+    // It rests for ever: a short while is seen.
+    if last.mode() == Mode::Rest && end.is_infinite() {
+        let before = last.start().time - motion.start().time;
+        let rest = if before > 0.0 { RESTING * before } else { 1.0 };
+        return last.start().time + rest;
     }
     if end.is_finite() && motion.outcome().is_final() {
         return end;

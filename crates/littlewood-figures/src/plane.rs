@@ -1,21 +1,18 @@
 //! The plane of rolling (θ, θ′) as series: loci |F| = μs N and N = 0, orbits, regions.
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use littlewood::theory::closed_form::slip_angle;
 use littlewood::theory::{Body, PhasePlane, RollingLaw, Stability, Window};
 use littlewood::{Hoop, ParameterError};
 use littlewood_draw::{
-    Anchor, Content, INK, Label, Layer, Mark, PlotAxis, Point, STABLE, Series, UNSTABLE,
+    Anchor, Content, INK, Label, Layer, Mark, PlotAxis, Point, STABLE, Series, Stroke, UNSTABLE,
 };
 use littlewood_style::Curve;
 
-use crate::axes::linear_to;
+use crate::axes::{linear_to, separatrix_rate};
 use crate::columns::{MU_S, ORBIT, PLANE, THETA, THETA_RATE};
 use crate::wording::Wording;
-
-/// Intervals in which a curve is looked for.
-const CELLS: u32 = 480;
 
 /// A phase plane in a window.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +23,15 @@ pub(crate) struct Portrait {
     pub(crate) window: Window,
     /// Where the axis of rates begins to be logarithmic.
     pub(crate) linear: f64,
+}
+
+/// Orbits of rolling.
+#[derive(Clone, Debug)]
+pub(crate) enum Orbits {
+    /// Of constant energies.
+    Levels(Vec<f64>),
+    /// With rolling resistance.
+    Resisted(Series),
 }
 
 /// What fits into so many times the rate at which the axis begins to be logarithmic is traced
@@ -82,6 +88,11 @@ impl Portrait {
         }
     }
 
+    /// The angle in the middle of the window.
+    pub(crate) fn middle(&self) -> f64 {
+        0.5 * (self.window.x[0] + self.window.x[1])
+    }
+
     /// A rate at a part of the upper half of the window, as it is seen.
     fn rate_at(&self, share: f64) -> f64 {
         let most = self.window.y[1];
@@ -94,12 +105,13 @@ impl Portrait {
     /// The window in which an orbit is traced: one that is small in the whole one has a window of
     /// its own.
     fn window_of(&self, energy: f64) -> Window {
+        self.window_to(self.plane.level_rate(PI, energy))
+    }
+
+    /// The window in which what is so fast at the bottom is traced.
+    fn window_to(&self, rate: Option<f64>) -> Window {
         let inner = INNER * self.linear;
-        let is_small = inner < self.window.y[1]
-            && self
-                .plane
-                .level_rate(PI, energy)
-                .is_some_and(|it| it < inner);
+        let is_small = inner < self.window.y[1] && rate.is_some_and(|it| it < inner);
         if is_small {
             Window {
                 y: [-inner, inner],
@@ -128,8 +140,12 @@ impl Portrait {
         let Body::Massless(body) = self.hoop.body() else {
             return None;
         };
-        let theta = slip_angle(&body, self.hoop.mu_s())?;
         let pieces = self.plane.slip_curve(&self.window);
+        // With rolling resistance it is another one each way, about there.
+        let theta = match slip_angle(&body, self.hoop.mu_s()) {
+            None if self.resists() && !pieces.is_empty() => FRAC_PI_2,
+            limit => limit?,
+        };
         Some((theta, Series::new("f", &PLANE, pieces)))
     }
 
@@ -151,15 +167,12 @@ impl Portrait {
 
     /// The region N < 0, above and below n.
     pub(crate) fn unloaded(&self) -> Series {
-        let Window { x, y: [low, high] } = self.window;
-        let pieces = [(1.0, high), (-1.0, low)]
-            .into_iter()
-            .flat_map(|(sign, edge)| {
-                let rate = |theta: f64| Some([theta, sign * self.plane.normal_force_rate(theta)?]);
-                let mut pieces = self.window.pieces(x, CELLS, &rate);
-                pieces.iter_mut().for_each(|piece| close_at(piece, edge));
-                pieces
-            });
+        let mut pieces = self.plane.normal_force_curve(&self.window);
+        let [low, high] = self.window.y;
+        for piece in &mut pieces {
+            let is_below = piece.first().is_some_and(|row| row[1] < 0.0);
+            close_at(piece, if is_below { low } else { high });
+        }
         Series::new("N<0", &PLANE, pieces)
     }
 
@@ -175,16 +188,52 @@ impl Portrait {
         Series::new(name, &ORBIT, rows_with(pieces, energy))
     }
 
-    /// Orbits of these energies, and the separatrix.
-    pub(crate) fn orbits(&self, energies: &[f64]) -> impl Iterator<Item = Layer> {
-        let orbits = energies
-            .iter()
-            .map(|energy| self.orbit(*energy).drawn(Curve::Level));
-        orbits.chain([self.separatrix().drawn(Curve::Separatrix)])
+    /// Whether rolling resistance takes energy from rolling.
+    pub(crate) fn resists(&self) -> bool {
+        self.hoop.rolling_resistance() > 0.0
     }
 
-    /// The separatrix through the unstable equilibrium.
+    /// Orbits that fill the window, below a separatrix so wide.
+    pub(crate) fn orbits(&self, orbits: &Orbits, separatrix: f64) -> Vec<Layer> {
+        let mut layers: Vec<Layer> = match orbits {
+            Orbits::Levels(energies) => energies
+                .iter()
+                .map(|energy| self.orbit(*energy).drawn(Curve::Level))
+                .collect(),
+            Orbits::Resisted(series) => vec![series.clone().drawn(Curve::Level)],
+        };
+        let stroke = Stroke::of_curve(Curve::Separatrix).wide(separatrix);
+        layers.push(self.separatrix().drawn(stroke));
+        layers
+    }
+
+    /// Orbits: so many librations and rotations.
+    pub(crate) fn choose(&self, librations: u32, rotations: u32) -> Orbits {
+        if self.resists() {
+            let well = self.window_to(Some(separatrix_rate(&self.hoop)));
+            let mut pieces = self.plane.orbits(&well, librations, 0);
+            pieces.extend(self.plane.orbits(&self.window, 0, rotations));
+            Orbits::Resisted(Series::new("orbits", &PLANE, pieces))
+        } else {
+            Orbits::Levels(self.energies(librations, rotations))
+        }
+    }
+
+    /// The band of rest, if rolling resistance makes one.
+    pub(crate) fn band_of_rest(&self) -> Option<Layer> {
+        let pieces = Curve::BandOfRest.pieces(&self.plane, &self.window);
+        let series = || Series::new(Curve::BandOfRest.name(), &PLANE, pieces.clone());
+        (!pieces.is_empty()).then(|| series().drawn(Curve::BandOfRest))
+    }
+
+    /// The separatrix through the unstable equilibrium; with rolling resistance through the far
+    /// edges of the upper bands of rest.
     pub(crate) fn separatrix(&self) -> Series {
+        if self.resists() {
+            let well = self.window_to(Some(separatrix_rate(&self.hoop)));
+            let pieces = self.plane.separatrix_curve(&well);
+            return Series::new(Curve::Separatrix.name(), &PLANE, pieces);
+        }
         let energy = self.law.separatrix_energy();
         let pieces = self.plane.separatrix_curve(&self.window_of(energy));
         let name = Curve::Separatrix.name();
@@ -202,6 +251,27 @@ impl Portrait {
             .map(|rate| self.law.energy(PI, rate))
             .chain(beyond.map(|rate| self.law.energy(0.0, rate)))
             .collect()
+    }
+
+    /// Arrows of the flow over an angle: places on orbits, each with the next place.
+    pub(crate) fn flow_of(&self, orbits: &Orbits, theta: f64) -> Series {
+        let series = match orbits {
+            Orbits::Levels(energies) => return self.flow(energies, theta),
+            Orbits::Resisted(series) => series,
+        };
+        let chords = series.pieces.iter().flat_map(|piece| piece.windows(2));
+        let crossing = chords.filter_map(|chord| {
+            let [from, to] = chord else { return None };
+            if (from[0] < theta) == (to[0] < theta) {
+                return None;
+            }
+            let slope = (to[1] - from[1]) / (to[0] - from[0]);
+            let rate = from[1] + slope * (theta - from[0]);
+            let step = 0.04_f64.copysign(rate);
+            let is_seen = rate.abs() <= self.rate_at(0.93);
+            is_seen.then_some([[theta, rate], [theta + step, rate + slope * step]])
+        });
+        Series::new("flow", &PLANE, crossing)
     }
 
     /// Arrows of the flow: places on the orbits of these energies over an angle, each with the next
@@ -316,7 +386,7 @@ impl Portrait {
 
     /// Arrowheads on the separatrix of a level plane, which goes over the tops.
     pub(crate) fn separatrix_heads(&self) -> Vec<Layer> {
-        let angles = if self.hoop.slope() == 0.0 {
+        let angles = if self.hoop.slope() == 0.0 && !self.resists() {
             &[0.62 * PI, 1.38 * PI][..]
         } else {
             &[]
@@ -328,7 +398,7 @@ impl Portrait {
         angles.iter().map(heads).collect()
     }
 
-    /// Dots on the stable equilibria, rings on the unstable ones.
+    /// Dots on the stable equilibria, rings on the unstable ones; or the band of rest.
     pub(crate) fn equilibria(&self) -> Vec<Layer> {
         let (mut stable, mut unstable) = (Vec::new(), Vec::new());
         for equilibrium in self.plane.equilibria() {
@@ -343,9 +413,11 @@ impl Portrait {
                 }
             }
         }
-        vec![
+        let mut layers: Vec<Layer> = self.band_of_rest().into_iter().collect();
+        layers.extend([
             Series::of_rows("stable equilibrium", &PLANE, stable).drawn(STABLE),
             Series::of_rows("unstable equilibrium", &PLANE, unstable).drawn(UNSTABLE),
-        ]
+        ]);
+        layers
     }
 }

@@ -23,6 +23,9 @@ pub(crate) const CLOSE: f64 = 14.0;
 const ROWS: usize = 3;
 const ROW: f64 = 13.0;
 
+/// Most times that the same name of a transition stands where there is no room for all.
+const REPEATED: usize = 3;
+
 /// A line at a time.
 pub(crate) const VERTICAL: Stroke = Stroke::solid(FAINT, FINE).dashed(Dash::Dashed);
 
@@ -173,7 +176,13 @@ impl Shown {
             wide,
         };
         let (mut labels, has_all_phases) = self.names_of_phases(&across);
-        let (of_transitions, rows, has_all_transitions) = self.names_of_transitions(&across);
+        let each = self.names_of_transitions(&across, usize::MAX);
+        // Where they have no room, one that repeats itself stands once.
+        let (of_transitions, rows, has_all_transitions) = if each.2 {
+            each
+        } else {
+            self.names_of_transitions(&across, REPEATED)
+        };
         labels.extend(of_transitions);
         let which = match (has_all_phases, has_all_transitions) {
             (true, true) => None,
@@ -205,9 +214,10 @@ impl Shown {
         (labels, are_all)
     }
 
-    /// Of bounces only where there is room beside all others; with the number of rows, and whether
-    /// all have one.
-    fn names_of_transitions(&self, across: &Across<'_>) -> (Vec<Label>, usize, bool) {
+    /// Of bounces only where there is room beside all others, and of a name that repeats itself more
+    /// often than `most` the first, with how many there are; with the number of rows, and whether all
+    /// have one.
+    fn names_of_transitions(&self, across: &Across<'_>, most: usize) -> (Vec<Label>, usize, bool) {
         let Across { pixels, wide, .. } = *across;
         // More than these cannot be told apart in any number of rows.
         let are_many = self.passed().count() as f64 > ROWS as f64 * wide / NAME;
@@ -215,8 +225,22 @@ impl Shown {
         let (bounces, others): (Vec<&Transition>, Vec<&Transition>) =
             self.passed().partition(|transition| transition.is_bounce());
         let (mut labels, mut are_all) = (Vec::new(), true);
+        let mut counted: Vec<&str> = Vec::new();
         for transition in others.into_iter().chain(bounces) {
-            let (at, text) = (transition.time(), transition.cause.label());
+            let (at, name) = (transition.time(), transition.cause.label());
+            if counted.contains(&name) {
+                continue;
+            }
+            let count = self
+                .passed()
+                .filter(|other| other.cause.label() == name)
+                .count();
+            let text = if count > most {
+                counted.push(name);
+                &format!("{count} × {name}")
+            } else {
+                name
+            };
             let room = width(text, SMALL);
             // A name does not reach out of the panel.
             let middle = f64::max(pixels(at).min(wide - 0.5 * room), 0.5 * room);

@@ -6,11 +6,12 @@ use littlewood::{Hoop, Start};
 use littlewood_draw::{angle, marked, short};
 
 /// Parameters on which rolling depends.
-const ROLLING: [Quantity; 5] = [
+const ROLLING: [Quantity; 6] = [
     Quantity::MassRatio,
     Quantity::Offset,
     Quantity::Inertia,
     Quantity::Slope,
+    Quantity::RollingResistance,
     Quantity::MuS,
 ];
 
@@ -96,9 +97,9 @@ impl Wording {
         self.parameters(hoop, &ROLLING)
     }
 
-    /// Those parameters of a hoop that do not concern friction.
+    /// Those parameters of a hoop that do not concern friction in slip.
     pub(crate) fn body(self, hoop: &Hoop) -> String {
-        self.parameters(hoop, &ROLLING[..4])
+        self.parameters(hoop, &ROLLING[..5])
     }
 
     fn parameters(self, hoop: &Hoop, quantities: &[Quantity]) -> String {

@@ -167,6 +167,144 @@ fn the_lines_are_where_slip_and_gap_rate_vanish_and_where_the_law_ends_the_impac
     }
 }
 
+/// An impact with rolling resistance: it slips and turns, turns back, sticks, and stops.
+struct FourSegments {
+    sigma: f64,
+    /// The signs of θ′ in the first segments, and where each begins: J, P, η′ and the gap rate.
+    turns: [f64; 4],
+    starts: [[f64; 4]; 4],
+    /// A, B, C, and what the couple of a unit of P adds to η′ and to the gap rate.
+    response: [f64; 5],
+    mass: f64,
+}
+
+impl FourSegments {
+    /// By the table of segments in docs/theory/rolling-resistance.md.
+    fn new(hoop: HoopParameters, theta: f64, before: [f64; 3]) -> Self {
+        let chi = hoop.rolling_resistance;
+        let mass = 1.0 + hoop.mass_ratio;
+        let h = hoop.offset / mass;
+        let own = hoop.inertia + hoop.mass_ratio * h * h + (hoop.offset - h).powi(2);
+        let (a, d) = (h * theta.sin(), 1.0 + h * theta.cos());
+        let [mut rate, mut slip, mut gap_rate] = before;
+        let sigma = slip.signum();
+        let turns = [1.0, -1.0, -1.0, 0.0];
+        let mut starts = [[0.0; 4]; 4];
+        let (mut friction, mut normal) = (0.0, 0.0);
+        for (i, start) in starts.iter_mut().enumerate() {
+            *start = [friction, normal, slip, gap_rate];
+            let (j, twist) = (own + mass * d * d, a - turns[i] * chi);
+            let rubs = if i < 2 {
+                -sigma * hoop.mu_k
+            } else {
+                -mass * d * twist / j
+            };
+            let spin = (twist + d * rubs) / own;
+            let slides = rubs / mass + d * spin;
+            let length = [-rate / spin, -slip / slides, -rate / spin, 0.0][i];
+            friction += rubs * length;
+            normal += length;
+            gap_rate += (1.0 / mass + a * spin) * length;
+            rate = if i % 2 == 0 {
+                0.0
+            } else {
+                rate + spin * length
+            };
+            slip = if i > 0 { 0.0 } else { slip + slides * length };
+        }
+        Self {
+            sigma,
+            turns,
+            starts,
+            response: [
+                1.0 / mass + d * d / own,
+                a * d / own,
+                1.0 / mass + a * a / own,
+                -chi * d / own,
+                -chi * a / own,
+            ],
+            mass,
+        }
+    }
+
+    /// η′ and the gap rate that the impulses J and P make, from the first segment in whose
+    /// rotation P is.
+    fn velocities(&self, [friction, normal]: [f64; 2], near: f64) -> [f64; 2] {
+        let at = (0..4)
+            .rev()
+            .find(|&i| self.starts[i][1] <= near)
+            .expect("a segment");
+        // The second and the third turn alike.
+        let at = if at == 2 { 1 } else { at };
+        let [from, pressed, slip, gap_rate] = self.starts[at];
+        let (along, across) = (friction - from, normal - pressed);
+        if self.turns[at] == 0.0 {
+            return [slip + along / self.mass, gap_rate + across / self.mass];
+        }
+        let [a, b, c, couple, lifts] = self.response;
+        let turns = self.turns[at];
+        [
+            slip + a * along + (b + turns * couple) * across,
+            gap_rate + b * along + (c + turns * lifts) * across,
+        ]
+    }
+}
+
+#[test]
+fn with_rolling_resistance_the_lines_are_those_of_each_rotation() {
+    let hoop = HoopParameters::thin(1.0)
+        .with_offset(0.6)
+        .with_inertia(0.5)
+        .with_friction(0.4, 0.3)
+        .with_rolling_resistance(0.32)
+        .with_restitution(0.5, RestitutionLaw::Energetic);
+    let start = Start::at(-2.8, 0.08).with_slip(0.24).with_gap_rate(0.5);
+    let input = input(hoop, start);
+    let motion = motion(&input);
+    let landing = motion.transitions()[0];
+    let impact = landing.impact.expect("an impact");
+    let before = impact.before;
+    let known = FourSegments::new(
+        hoop,
+        landing.before.theta,
+        [before.theta_rate, before.slip, before.gap_rate],
+    );
+    let figure = make("impact", &input).expect("the figure");
+    let corners = course(&figure);
+    assert_eq!(corners.len(), 5);
+    for (corner, start) in corners.iter().zip(&known.starts) {
+        assert_near(corner[0], start[0], 1e-13, "J");
+        assert_near(corner[1], start[1], 1e-13, "P");
+    }
+    // What ends where: a rotation, the slip, the rotation that has begun.
+    for (name, count) in [("rotation ends", 2), ("slip ends", 1)] {
+        assert_eq!(series(&figure, name).len(), count, "{name}");
+    }
+    assert!(known.sigma > 0.0);
+    for (name, which) in [("sticking", 0), ("greatest_compression", 1)] {
+        let lines = series(&figure, name);
+        assert!(!lines.is_empty(), "{name}");
+        for line in lines {
+            let ends = impulses(line);
+            let near = 0.5 * (ends[0][1] + ends[1][1]);
+            for end in ends {
+                assert_near(known.velocities(end, near)[which], 0.0, 1e-12, name);
+            }
+        }
+    }
+    let [end] = series(&figure, "termination")[..] else {
+        panic!("one line")
+    };
+    for [_, normal] in impulses(end) {
+        assert_near(
+            normal,
+            impact.impulse.normal,
+            1e-13,
+            "held, w depends on P alone",
+        );
+    }
+}
+
 #[test]
 fn the_impact_is_chosen_by_its_number() {
     let first = FigureInput::of_case("figure-3-bounces").expect("a case");

@@ -2,7 +2,7 @@
 
 use littlewood::si::Units;
 use littlewood::tables::{Dimension, Quantity, SampleColumn, Setup};
-use littlewood::{Hoop, Mode, Outcome, SlipDirection, Start, Trajectory, Transition};
+use littlewood::{Hoop, Mode, Outcome, OutcomeKind, SlipDirection, Start, Trajectory, Transition};
 use littlewood_draw::marked;
 
 use crate::body::{Shape, WEIGHT, draw_mass_centre};
@@ -432,8 +432,8 @@ fn note_of(outcome: &Outcome) -> Option<String> {
     } else {
         String::new()
     };
-    outcome
-        .is_final()
+    // A film that ends with the rest of the hoop stops there.
+    (outcome.is_final() || outcome.kind() == OutcomeKind::Rests)
         .then(|| format!("{}{infinite}", outcome.kind().label()))
 }
 

@@ -25,6 +25,11 @@ const STAYS_S: f64 = 0.8;
 /// Time shown of a motion that lasts for ever and has no period.
 const HORIZON: f64 = 10.0;
 
+/// Time for which a hoop that has come to rest is shown before the film stops, and time after which
+/// its rest is not waited for.
+const REST: f64 = 1.0;
+const LONG: f64 = 120.0;
+
 /// Time after which a motion that lasts for ever is not waited for to come to its last phase, or to
 /// the end of a period.
 const PATIENCE: f64 = 30.0;
@@ -42,6 +47,8 @@ pub enum Part {
     While,
     /// Some bounces of a motion that bounces until it is stopped.
     Bounces,
+    /// A while of what comes to rest much later.
+    BeforeRest,
 }
 
 impl Part {
@@ -53,6 +60,7 @@ impl Part {
             Self::TwoPeriods => Some("two periods of a motion without end"),
             Self::While => Some("the beginning of a motion without end"),
             Self::Bounces => Some("the first bounces of many"),
+            Self::BeforeRest => Some("the beginning of a motion that comes to rest"),
         }
     }
 }
@@ -110,7 +118,8 @@ pub struct Shown {
 
 impl Schedule {
     /// Frames from the start of a motion to its end. A motion without an end is shown for a whole
-    /// oscillation, so that the film closes, for two turns, or for ten units of time.
+    /// oscillation, so that the film closes, for two turns, or for ten units of time; one that comes
+    /// to rest until shortly after.
     ///
     /// # Errors
     /// A rate, a slowness or a hold out of bounds, no motion, or too many frames.
@@ -225,6 +234,13 @@ fn shown_until(trajectory: &Trajectory) -> (f64, Part) {
     }
     let start = trajectory.start().time;
     let since = outcome.state().time;
+    if outcome.kind() == OutcomeKind::Rests {
+        return if since - start > LONG {
+            (start + PATIENCE, Part::BeforeRest)
+        } else {
+            (since + REST, Part::Whole)
+        };
+    }
     let period = outcome.recurrence().and_then(|recurrence| {
         Some((
             recurrence.kind(),

@@ -1,6 +1,7 @@
 //! Scenes against the geometry of the body and the forces of the motion.
 
-use littlewood::cases::{CASES, find_case};
+use crate::filmed;
+use littlewood::cases::find_case;
 use littlewood::{Hoop, Limits, Mode, Start, Trajectory};
 use littlewood_film::{DrawnArrow, Film, FrameSize, Framing, Pace, Part, Scene, With};
 use littlewood_style::{Ink, Theme};
@@ -37,8 +38,7 @@ fn extent(arrow: Option<DrawnArrow>) -> (f64, f64) {
 
 #[test]
 fn the_body_keeps_its_shape_in_all_modes() {
-    for case in CASES.iter().filter(|case| case.name != "painleve") {
-        let motion = motion(case.name);
+    for (case, motion) in filmed() {
         let hoop = motion.hoop();
         for scene in scenes(&film(&motion)) {
             let to = |point: littlewood::modes::Position| {
@@ -57,23 +57,21 @@ fn the_body_keeps_its_shape_in_all_modes() {
                 let at = 1e-14 * scene.sample.centre.x.abs().max(1.0);
                 assert!(
                     (x + distance * sin).abs() < at && (y - distance * cos).abs() < at,
-                    "{}",
-                    case.name
+                    "{case}"
                 );
             }
             assert_eq!(scene.lowest.x, scene.sample.centre.x);
             assert!((to(scene.lowest).1 + 1.0).abs() < 1e-15);
             // The particle never goes through the plane.
-            assert!(scene.sample.particle.y > -1e-14, "{}", case.name);
+            assert!(scene.sample.particle.y > -1e-14, "{case}");
         }
     }
 }
 
 #[test]
 fn the_contact_point_is_on_the_plane_and_there_is_none_in_flight() {
-    let mut modes = [0; 4];
-    for case in CASES.iter().filter(|case| case.name != "painleve") {
-        let motion = motion(case.name);
+    let mut modes = [0; Mode::ALL.len()];
+    for (_, motion) in filmed() {
         for scene in scenes(&film(&motion)) {
             modes[scene.mode() as usize] += 1;
             if scene.mode() == Mode::Flight {
@@ -221,10 +219,9 @@ fn a_motion_without_end_is_shown_in_part_and_says_so() {
         "{part:?} {number}"
     );
     assert_eq!(film(&motion("figure-3")).schedule().part, Part::Whole);
-    for case in CASES.iter().filter(|case| case.name != "painleve") {
-        let motion = motion(case.name);
+    for (case, motion) in filmed() {
         let schedule = film(&motion).schedule().clone();
-        assert!(schedule.end - schedule.start < 60.0, "{}", case.name);
+        assert!(schedule.end - schedule.start < 60.0, "{case}");
     }
 }
 
@@ -258,16 +255,11 @@ fn a_pane_shows_the_motion_and_the_inset_the_path() {
 #[test]
 #[ignore = "thorough"]
 fn every_case_has_every_pane() {
-    for case in CASES.iter().filter(|case| case.name != "painleve") {
-        let motion = motion(case.name);
+    for (case, motion) in filmed() {
         for with in WITH {
             let film = film(&motion).with_pane(with);
             for index in [0, film.schedule().frames / 2, film.schedule().frames - 1] {
-                assert!(
-                    !film.still(index).unwrap().is_empty(),
-                    "{} {with:?}",
-                    case.name
-                );
+                assert!(!film.still(index).unwrap().is_empty(), "{case} {with:?}");
             }
         }
     }

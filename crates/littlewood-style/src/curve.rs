@@ -2,11 +2,13 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use littlewood::Mode;
 use littlewood::theory::{PhasePlane, Window};
 
 use crate::arrow::Arrow;
 use crate::dash::Dash;
 use crate::ink::Ink;
+use crate::mode::of_mode;
 use crate::named::named;
 use crate::rgb::Rgb;
 use crate::theme::Theme;
@@ -25,10 +27,16 @@ named! {
         LiftOff = "lift_off",
         /// The rates between which bounces grow out of rolling, on a slope.
         ReverseChatter = "chatter",
-        /// Constant energy in rolling.
+        /// Orbits of rolling, of constant energy without rolling resistance.
         Level = "level",
+        /// Where rolling resistance holds the hoop at rest, at θ′ = 0.
+        BandOfRest = "band_of_rest",
     }
 }
+
+/// Orbits from rest in a turn, and those that pass a top.
+const FROM_REST: u32 = 3;
+const OVER_TOP: u32 = 5;
 
 impl Curve {
     /// The letter of the paper, for those that have one.
@@ -36,7 +44,11 @@ impl Curve {
         match self {
             Self::SlipLimit => Some("f"),
             Self::NormalForceZero => Some("n"),
-            Self::Separatrix | Self::LiftOff | Self::ReverseChatter | Self::Level => None,
+            Self::Separatrix
+            | Self::LiftOff
+            | Self::ReverseChatter
+            | Self::Level
+            | Self::BandOfRest => None,
         }
     }
 
@@ -49,7 +61,8 @@ impl Curve {
             Self::LiftOff if slope == 0.0 => "lift-off: h cos θ θ′² = 1",
             Self::LiftOff => "lift-off: h cos θ θ′² = cos α",
             Self::ReverseChatter => "bounces grow out of rolling",
-            Self::Level => "constant energy",
+            Self::Level => "orbits of rolling",
+            Self::BandOfRest => "band of rest",
         }
     }
 
@@ -59,6 +72,7 @@ impl Curve {
             Self::SlipLimit => Some("rolling uses up all friction: beyond it, it slips"),
             Self::NormalForceZero => Some("a rolling hoop would no longer press on the ground"),
             Self::LiftOff => Some("above it: it leaves the ground at once"),
+            Self::BandOfRest => Some("without motion it stays here: the ground holds it"),
             Self::Separatrix | Self::ReverseChatter | Self::Level => None,
         }
     }
@@ -71,8 +85,7 @@ impl Curve {
             .map_or(label, |(_, condition)| condition)
     }
 
-    /// Its pieces in a window of the plane of a hoop; none of the levels, each of which belongs to
-    /// an energy.
+    /// Its pieces in a window of the plane of a hoop; of orbits as many as are told apart.
     pub fn pieces(self, plane: &PhasePlane, window: &Window) -> Vec<Vec<[f64; 2]>> {
         match self {
             Self::SlipLimit => plane.slip_curve(window),
@@ -80,7 +93,12 @@ impl Curve {
             Self::Separatrix => plane.separatrix_curve(window),
             Self::LiftOff => plane.lift_off_curve(window),
             Self::ReverseChatter => plane.reverse_chatter_curve(window),
-            Self::Level => Vec::new(),
+            Self::Level => plane.orbits(window, FROM_REST, OVER_TOP),
+            Self::BandOfRest => {
+                let band = plane.band_of_rest(window).into_iter();
+                band.map(|ends| ends.map(|theta| [theta, 0.0]).to_vec())
+                    .collect()
+            }
         }
     }
 
@@ -91,7 +109,11 @@ impl Curve {
         let part = match self {
             Self::SlipLimit => 0.66,
             Self::NormalForceZero => 0.86,
-            Self::Separatrix | Self::LiftOff | Self::ReverseChatter | Self::Level => return None,
+            Self::Separatrix
+            | Self::LiftOff
+            | Self::ReverseChatter
+            | Self::Level
+            | Self::BandOfRest => return None,
         };
         let pieces = self.pieces(plane, window);
         let lowest = pieces
@@ -130,6 +152,7 @@ impl Curve {
             Self::Separatrix => Ink::Ink.colour(theme),
             Self::ReverseChatter => Arrow::Impulse.colour(theme),
             Self::Level => Ink::Faint.colour(theme),
+            Self::BandOfRest => of_mode(Mode::Rest, theme),
         }
     }
 
@@ -139,7 +162,9 @@ impl Curve {
             Self::SlipLimit => Dash::Dashed,
             Self::LiftOff => Dash::Short,
             Self::ReverseChatter => Dash::Dotted,
-            Self::NormalForceZero | Self::Separatrix | Self::Level => Dash::Solid,
+            Self::NormalForceZero | Self::Separatrix | Self::Level | Self::BandOfRest => {
+                Dash::Solid
+            }
         }
     }
 
@@ -149,6 +174,7 @@ impl Curve {
             Self::SlipLimit | Self::NormalForceZero => BOLD,
             Self::Separatrix | Self::LiftOff | Self::ReverseChatter => CURVE,
             Self::Level => FINE,
+            Self::BandOfRest => 2.0 * BOLD,
         }
     }
 }

@@ -117,17 +117,6 @@ impl OutcomeMap {
         }
     }
 
-    /// The classes of the numbers of landings of a map: the least and the largest number of each,
-    /// in turn.
-    #[wasm_bindgen(js_name = hopClasses)]
-    pub fn hop_classes(codes: &[u8]) -> Vec<u8> {
-        let mut frequencies = [0; 256];
-        for code in codes {
-            frequencies[usize::from(*code)] += 1;
-        }
-        hops::classes(&frequencies).concat()
-    }
-
     /// The codes of the classes, or the numbers of landings, of all cells, each as the nearest
     /// start of this level has it.
     pub fn classes(&self, stride: usize) -> Vec<u8> {
@@ -201,19 +190,6 @@ impl OutcomeMap {
 /// Maps need the speed of interpolated slips.
 fn map_engine(hoop: &Hoop) -> Engine {
     Engine::builder(hoop).interpolate_slips().build()
-}
-
-/// The class of the motion of a problem ([`Class`]), followed until it leaves the plane or is
-/// proved not to.
-#[wasm_bindgen(js_name = classOf)]
-pub fn class_of(problem: &Problem) -> u8 {
-    let limits = Limits::default()
-        .with_transitions(TRANSITIONS)
-        .with_proof(Proof::Contact);
-    let summary = map_engine(&problem.hoop).summary(problem.start, limits);
-    summary
-        .map_or(Class::Invalid, |summary| Class::of(&summary))
-        .code()
 }
 
 fn without_restitution(hoop: &Hoop) -> Hoop {

@@ -4,7 +4,7 @@ use littlewood::cases::{NamedCase, find_case};
 use littlewood::energy::EnergyLedger;
 use littlewood::impact::{ContactVelocities, Impulse};
 use littlewood::tables::SampleColumn;
-use littlewood::{Cause, Mode, OutcomeKind, Sample, Trajectory, Transition};
+use littlewood::{Mode, OutcomeKind, Sample, Trajectory, Transition};
 use littlewood_report::scale::Scale;
 use littlewood_report::sheet::Table;
 use littlewood_report::{Sampling, ShownImpact, Subject, csv, json as documents, page, sentence};
@@ -12,8 +12,6 @@ use littlewood_style::EnergyPart;
 use serde_json::{Value, json};
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::moves::Moves;
-use crate::prediction::Prediction;
 use crate::problem::Problem;
 use crate::refusal::Refusal;
 use crate::routh::Routh;
@@ -144,22 +142,6 @@ impl Motion {
             self.trajectory.hoop(),
             self.trajectory.transitions().get(transition)?,
         )
-    }
-
-    /// What moves a transition, if there is one.
-    pub fn moves(&self, transition: usize) -> Option<Moves> {
-        Moves::of(&self.problem, &self.trajectory, transition)
-    }
-
-    /// What the derivatives of this motion predict of a landing of another one; none for a
-    /// transition that is no landing.
-    pub fn prediction(&self, transition: usize) -> Option<Prediction> {
-        let is_landing = self.trajectory.transitions().get(transition)?.cause == Cause::Landing;
-        if is_landing {
-            Prediction::new(&self.problem, &self.trajectory, transition)
-        } else {
-            None
-        }
     }
 
     /// The table of the phases as the command line prints it, as JSON; with `all` nothing is folded

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use littlewood::derivatives::{Derivative, NoDerivative, differentiable};
 use littlewood::si::{SiSetup, Units};
 use littlewood::tables::{Dimension, Group, Quantity};
-use littlewood::{Cause, State, Trajectory};
+use littlewood::{Cause, State, Transition};
 use littlewood_report::number::{brief, three};
 use littlewood_report::scale::Scale;
 use serde_json::{Value, json};
@@ -45,6 +45,17 @@ impl Row {
 
 #[wasm_bindgen]
 impl Moves {
+    /// Of a transition of the motion of a problem; none if there is no such transition.
+    pub fn of(problem: &Problem, transition: usize) -> Option<Self> {
+        let (trajectory, partials) = Partials::of(problem, transition)?;
+        let event = trajectory.transitions().get(transition)?;
+        Some(Self {
+            cause: event.cause,
+            units: problem.units,
+            rows: rows(problem, event, &partials),
+        })
+    }
+
     /// The quantities, what each is changed by, and by how much that moves a column of
     /// [`State::COLUMNS`], as JSON: the largest move first, and last what has no derivative, with
     /// the reason.
@@ -98,64 +109,6 @@ impl Moves {
 }
 
 impl Moves {
-    /// Of a transition of the motion of a problem; none if there is no such transition.
-    pub(crate) fn of(
-        problem: &Problem,
-        trajectory: &Trajectory,
-        transition: usize,
-    ) -> Option<Self> {
-        let event = trajectory.transitions().get(transition)?;
-        let partials = Partials::of(problem, trajectory, transition)?;
-        let setup = problem.setup();
-        let row = |(quantity, value): (Quantity, f64)| {
-            let [least, most] = quantity.row().usual;
-            let is_of_range = value == 0.0;
-            let change = PART * if is_of_range { most - least } else { value };
-            let moved = match (&problem.units, unit_place(quantity)) {
-                (None, _) => partials.move_of(|other| if other == quantity { change } else { 0.0 }),
-                (Some(units), None) => {
-                    let plain = quantity.dimensionless();
-                    let change = units.from_si(plain.dimension(), change);
-                    partials
-                        .move_of(|other| if other == plain { change } else { 0.0 })
-                        .map(|moved| {
-                            in_columns(moved, |dimension, moved| units.to_si(dimension, moved))
-                        })
-                }
-                // A unit that grows makes the dimensionless numbers smaller, and those of the event
-                // in SI units larger.
-                (Some(units), Some(place)) => {
-                    let growth =
-                        |dimension: Dimension| PART * 0.5 * f64::from(dimension.halves()[place]);
-                    let change = |other: Quantity| {
-                        -growth(other.dimension()) * setup.get(other).unwrap_or(0.0)
-                    };
-                    let numbers = event.after.numbers();
-                    partials.move_of(change).map(|mut moved| {
-                        for ((moved, number), column) in
-                            moved.iter_mut().zip(numbers).zip(State::COLUMNS)
-                        {
-                            *moved += column.dimension().map_or(0.0, growth) * number;
-                        }
-                        in_columns(moved, |dimension, moved| units.to_si(dimension, moved))
-                    })
-                }
-            };
-            Row {
-                quantity,
-                is_of_range,
-                change,
-                moved,
-            }
-        };
-        let rows = values(problem).map(row).collect();
-        Some(Self {
-            cause: event.cause,
-            units: problem.units,
-            rows,
-        })
-    }
-
     fn sorted(&self, column: usize) -> Vec<&Row> {
         let mut rows: Vec<&Row> = self.rows.iter().collect();
         rows.sort_by(
@@ -168,6 +121,52 @@ impl Moves {
         );
         rows
     }
+}
+
+/// What a small change of each quantity moves a transition by.
+fn rows(problem: &Problem, event: &Transition, partials: &Partials) -> Vec<Row> {
+    let setup = problem.setup();
+    let row = |(quantity, value): (Quantity, f64)| {
+        let [least, most] = quantity.row().usual;
+        let is_of_range = value == 0.0;
+        let change = PART * if is_of_range { most - least } else { value };
+        let moved = match (&problem.units, unit_place(quantity)) {
+            (None, _) => partials.move_of(|other| if other == quantity { change } else { 0.0 }),
+            (Some(units), None) => {
+                let plain = quantity.dimensionless();
+                let change = units.from_si(plain.dimension(), change);
+                partials
+                    .move_of(|other| if other == plain { change } else { 0.0 })
+                    .map(|moved| {
+                        in_columns(moved, |dimension, moved| units.to_si(dimension, moved))
+                    })
+            }
+            // A unit that grows makes the dimensionless numbers smaller, and those of the event
+            // in SI units larger.
+            (Some(units), Some(place)) => {
+                let growth =
+                    |dimension: Dimension| PART * 0.5 * f64::from(dimension.halves()[place]);
+                let change =
+                    |other: Quantity| -growth(other.dimension()) * setup.get(other).unwrap_or(0.0);
+                let numbers = event.after.numbers();
+                partials.move_of(change).map(|mut moved| {
+                    for ((moved, number), column) in
+                        moved.iter_mut().zip(numbers).zip(State::COLUMNS)
+                    {
+                        *moved += column.dimension().map_or(0.0, growth) * number;
+                    }
+                    in_columns(moved, |dimension, moved| units.to_si(dimension, moved))
+                })
+            }
+        };
+        Row {
+            quantity,
+            is_of_range,
+            change,
+            moved,
+        }
+    };
+    values(problem).map(row).collect()
 }
 
 /// The quantities of hoop, plane and start on which the motion depends, in the units of a problem,

@@ -22,6 +22,7 @@ pub fn begin() {
 ///
 /// # Panics
 /// Always.
+#[cfg(feature = "first")]
 #[wasm_bindgen(js_name = provokePanic)]
 #[allow(clippy::panic, reason = "this is its purpose")]
 pub fn provoke_panic() {

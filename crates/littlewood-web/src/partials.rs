@@ -15,25 +15,19 @@ pub(crate) type Change = [f64; State::COLUMNS.len()];
 pub(crate) struct Partials(Vec<(Quantity, Derivative<Change>)>);
 
 impl Partials {
-    /// Those of a transition of the motion of a problem; none if there is no such transition.
-    pub(crate) fn of(
-        problem: &Problem,
-        trajectory: &Trajectory,
-        transition: usize,
-    ) -> Option<Self> {
-        let bounces = problem.hoop.restitution().is_some();
-        let quantities: Vec<Quantity> = differentiable(bounces).collect();
+    /// Those of a transition of the motion of a problem, with the motion up to there; none if there
+    /// is no such transition.
+    pub(crate) fn of(problem: &Problem, transition: usize) -> Option<(Trajectory, Self)> {
         // What comes after it need not be differentiated.
         let until_then = problem.limits.with_transitions(transition + 1);
         let motion = problem.hoop.simulate(problem.start, until_then).ok()?;
+        let bounces = problem.hoop.restitution().is_some();
+        let quantities: Vec<Quantity> = differentiable(bounces).collect();
         let derivatives = motion.derivatives(&quantities).ok()?;
-        debug_assert_eq!(
-            motion.transitions().get(transition),
-            trajectory.transitions().get(transition)
-        );
         let each = derivatives.transitions().get(transition)?.iter();
         let each = each.map(|derivative| derivative.map(|event| event.after.numbers()));
-        Some(Self(quantities.into_iter().zip(each).collect()))
+        let partials = Self(quantities.into_iter().zip(each).collect());
+        Some((motion, partials))
     }
 
     /// By how much changes of quantities move the transition and the state after it, to first

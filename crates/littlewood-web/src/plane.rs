@@ -54,11 +54,6 @@ impl Plane {
         )
     }
 
-    /// The orbit of energy E.
-    pub fn level(&self, energy: f64) -> Vec<f64> {
-        points(self.plane.level_curve(energy, &self.window))
-    }
-
     /// Region 𝓡 (2.14) as polygons.
     pub fn region(&self) -> Vec<f64> {
         points(self.plane.rolling_region(&self.window))
@@ -70,7 +65,7 @@ impl Plane {
         self.plane.in_rolling_region(theta, theta_rate)
     }
 
-    /// Energy of rolling through a point, to draw its level.
+    /// Energy of rolling through a point.
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
         self.law.energy(theta, theta_rate)
     }

@@ -2,7 +2,7 @@
 
 use littlewood::derivatives::{Derivative, NoDerivative};
 use littlewood::tables::{Quantity, Setup};
-use littlewood::{State, Trajectory};
+use littlewood::{Cause, State};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::partials::{Change, Partials};
@@ -35,6 +35,26 @@ struct Predicted {
 
 #[wasm_bindgen]
 impl Prediction {
+    /// For a landing of the motion of a problem, a transition; none for another one.
+    #[wasm_bindgen(js_name = ofLanding)]
+    pub fn of_landing(problem: &Problem, transition: usize) -> Option<Self> {
+        let event = |index: usize| {
+            let (motion, partials) = Partials::of(problem, index)?;
+            let event = motion.transitions().get(index)?;
+            Some((event.cause, event.after.numbers(), partials))
+        };
+        let (cause, landing, partials) = event(transition)?;
+        let take_off = || {
+            let (_, numbers, partials) = event(transition.checked_sub(1)?)?;
+            Some((numbers, partials))
+        };
+        (cause == Cause::Landing).then(|| Self {
+            setup: problem.setup(),
+            landing: (landing, partials),
+            take_off: take_off(),
+        })
+    }
+
     /// For the motion of another problem.
     pub fn of(&self, problem: &Problem) -> Ghost {
         let setup = problem.setup();
@@ -83,25 +103,6 @@ impl Ghost {
         self.0
             .as_ref()
             .map_or_else(|_| Vec::new(), |it| it.path.clone())
-    }
-}
-
-impl Prediction {
-    /// For a landing of the motion of a problem; none for another transition.
-    pub(crate) fn new(
-        problem: &Problem,
-        trajectory: &Trajectory,
-        transition: usize,
-    ) -> Option<Self> {
-        let event = |index: usize| {
-            let after = trajectory.transitions().get(index)?.after.numbers();
-            Some((after, Partials::of(problem, trajectory, index)?))
-        };
-        Some(Self {
-            setup: problem.setup(),
-            landing: event(transition)?,
-            take_off: transition.checked_sub(1).and_then(event),
-        })
     }
 }
 

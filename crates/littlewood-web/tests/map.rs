@@ -6,8 +6,7 @@ use littlewood::cases::{CASES, find_case};
 use littlewood::tables::{Class, Setup};
 use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, RestitutionLaw, Start};
 use littlewood_sweep::Workers;
-use littlewood_web::hops::CLASSES;
-use littlewood_web::{MapSubject, OutcomeMap, Problem, class_of};
+use littlewood_web::{HOP_CLASSES, MapSubject, OutcomeMap, Problem, class_of, hop_classes};
 
 use crate::support::problem_of;
 
@@ -317,7 +316,7 @@ fn classes(counts: impl IntoIterator<Item = (u8, usize)>) -> Vec<[u8; 2]> {
         .into_iter()
         .flat_map(|(count, often)| vec![count; often])
         .collect();
-    OutcomeMap::hop_classes(&codes)
+    hop_classes(&codes)
         .chunks_exact(2)
         .map(|pair| [pair[0], pair[1]])
         .collect()
@@ -333,7 +332,7 @@ fn few_counts_are_a_class_each() {
 #[test]
 fn many_counts_are_in_classes_of_about_equal_size() {
     let even = classes((0..=80).map(|count| (count, if count == 0 { 5000 } else { 10 })));
-    assert_eq!(even.len(), CLASSES);
+    assert_eq!(even.len(), HOP_CLASSES);
     assert_eq!(even[0], [0, 0]);
     for (i, class) in even[1..].iter().enumerate() {
         let least = 1 + 10 * i as u8;
@@ -341,11 +340,11 @@ fn many_counts_are_in_classes_of_about_equal_size() {
     }
     // A count that most starts have gets a class of its own; classes do not overlap.
     let uneven = classes((1..=40).map(|count| (count, if count == 26 { 90_000 } else { 11 })));
-    assert_eq!(uneven.len(), CLASSES);
+    assert_eq!(uneven.len(), HOP_CLASSES);
     assert!(
         uneven
             .windows(2)
             .all(|pair| pair[0][0] <= pair[0][1] && pair[0][1] + 1 == pair[1][0])
     );
-    assert_eq!((uneven[0][0], uneven[CLASSES - 1][1]), (1, 40));
+    assert_eq!((uneven[0][0], uneven[HOP_CLASSES - 1][1]), (1, 40));
 }

@@ -28,10 +28,7 @@ fn moved(moves: &Moves, column: usize) -> BTreeMap<Quantity, Option<f64>> {
 }
 
 fn of(problem: &Problem, transition: usize) -> Moves {
-    Motion::new(problem, None)
-        .unwrap()
-        .moves(transition)
-        .unwrap()
+    Moves::of(problem, transition).unwrap()
 }
 
 #[test]
@@ -116,10 +113,9 @@ fn masses_that_grow_together_move_nothing() {
             ..SiState::default()
         },
     });
-    let motion = Motion::new(&Problem::si(&si, None, None, None).unwrap(), None).unwrap();
-    let moves = motion
-        .moves(motion.transition_sentences().len() - 1)
-        .unwrap();
+    let problem = Problem::si(&si, None, None, None).unwrap();
+    let motion = Motion::new(&problem, None).unwrap();
+    let moves = of(&problem, motion.transition_sentences().len() - 1);
     for column in [TIME, THETA, X] {
         let masses: Vec<f64> = moved(&moves, column)
             .into_iter()

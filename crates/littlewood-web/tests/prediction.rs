@@ -5,7 +5,7 @@ use littlewood::cases::find_case;
 use littlewood::derivatives::NoDerivative;
 use littlewood::tables::Setup;
 use littlewood::{Hoop, HoopParameters, Limits, Start};
-use littlewood_web::Motion;
+use littlewood_web::Prediction;
 
 use crate::support::problem_of;
 
@@ -37,10 +37,7 @@ fn the_flight_of_a_stone_is_predicted_exactly() {
         let start = Start::at(0.25, 1.5).with_slip(0.5).with_gap_rate(gap_rate);
         problem_of(&Setup::new(hoop, start), None)
     };
-    let prediction = Motion::new(&thrown(1.0), None)
-        .unwrap()
-        .prediction(0)
-        .unwrap();
+    let prediction = Prediction::of_landing(&thrown(1.0), 0).unwrap();
     let ghost = prediction.of(&thrown(1.5));
     let [time, theta, ..] = ghost.landing()[..] else {
         panic!("{ghost:?}")
@@ -63,10 +60,8 @@ fn the_flight_of_a_stone_is_predicted_exactly() {
 #[test]
 fn what_a_prediction_misses_is_of_second_order() {
     let landing = 3;
-    let prediction = Motion::new(&problem_of(&setup_of(0.4, 0.0), None), None)
-        .unwrap()
-        .prediction(landing)
-        .unwrap();
+    let prediction =
+        Prediction::of_landing(&problem_of(&setup_of(0.4, 0.0), None), landing).unwrap();
     let missed = |change: f64| {
         let exact = setup_of(0.4 + change, 0.0);
         prediction.of(&problem_of(&exact, None)).landing()[0]
@@ -85,10 +80,10 @@ fn what_a_prediction_misses_is_of_second_order() {
 
 #[test]
 fn only_landings_are_predicted_and_what_has_no_derivative_has_a_reason() {
-    let motion = Motion::new(&problem_of(&setup_of(0.4, 0.0), None), None).unwrap();
-    assert!(motion.prediction(2).is_none() && motion.prediction(9).is_none());
-    let ghost = motion
-        .prediction(3)
+    let problem = problem_of(&setup_of(0.4, 0.0), None);
+    let of_landing = |transition| Prediction::of_landing(&problem, transition);
+    assert!(of_landing(2).is_none() && of_landing(9).is_none());
+    let ghost = of_landing(3)
         .unwrap()
         .of(&problem_of(&setup_of(0.4, 0.1), None));
     assert_eq!(
@@ -102,12 +97,7 @@ fn only_landings_are_predicted_and_what_has_no_derivative_has_a_reason() {
 fn the_path_is_that_of_the_motion_where_nothing_changes() {
     let same = problem_of(&setup_of(0.4, 0.0), None);
     let motion = motion_of(setup_of(0.4, 0.0));
-    let path = Motion::new(&same, None)
-        .unwrap()
-        .prediction(3)
-        .unwrap()
-        .of(&same)
-        .path();
+    let path = Prediction::of_landing(&same, 3).unwrap().of(&same).path();
     let [from, to] = [2, 3].map(|index| motion.transitions()[index].time());
     for (number, point) in path.chunks(2).enumerate() {
         let sample = motion

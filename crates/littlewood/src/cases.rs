@@ -124,4 +124,18 @@ pub const CASES: &[NamedCase] = cases! {
         THIN_HOOP.with_slope(0.2), Start::at(2.0, 0.0);
     "ramp-bounces", "jumps at once, bounces up the slope, settles, and rolls back and forth for ever", "beyond the paper" =>
         thin_hoop_with(0.5).with_slope(0.15), Start::at(0.5, -3.0);
+    "libration-rests", "rolling resistance: rolls back and forth, and rests after three half swings", "beyond the paper" =>
+        THIN_HOOP.with_rolling_resistance(0.05), Start::at(2.5, 0.0);
+    "rests-on-far-side", "rolling resistance: rolls over the top, turns back, and rests beyond the bottom", "beyond the paper" =>
+        HoopParameters::thin(1.0).with_offset(0.4).with_inertia(0.5).with_friction(0.5, 0.4).with_rolling_resistance(0.15),
+        Start::at(-0.5, 0.9);
+    "disc-rests-on-ramp", "rolling resistance: a disc rolls up a ramp, and rests where it stops", "beyond the paper" =>
+        HoopParameters::thin(1.0).with_offset(0.0).with_inertia(0.5).with_friction(0.5, 0.4).with_rolling_resistance(0.1).with_slope(0.05),
+        Start::at(0.0, -1.0);
+    "skid", "rolling resistance: slides without turning, sticks, rolls over the bottom and back, and rests", "beyond the paper" =>
+        HoopParameters::thin(1.0).with_offset(0.6).with_inertia(0.5).with_friction(0.4, 0.3).with_rolling_resistance(0.1),
+        Start::at(1.21625, 0.0).with_slip(0.5);
+    "painleve-resisted", "rolling resistance: no motion is consistent, although nothing slips", "beyond the paper" =>
+        HoopParameters::thin(5.256_407_325e-4).with_friction(0.080_988_7, 0.035_455_5).with_rolling_resistance(0.419_847_7),
+        Start::at(0.119_757, 0.704_997);
 };

@@ -33,6 +33,7 @@ mod promise;
 mod proofs;
 mod reference;
 mod resistance;
+mod resisted_plane;
 mod reverse_chatter;
 mod rooms;
 mod serde;

@@ -15,7 +15,8 @@ use crate::promise::{
 };
 use littlewood::tables::{PhaseSequence, Quantity};
 use littlewood::{
-    Engine, Hoop, HoopParameters, Limits, OutcomeKind, Restitution, RestitutionLaw, Start, Summary,
+    Cause, Engine, Hoop, HoopParameters, Limits, OutcomeKind, Restitution, RestitutionLaw, Start,
+    Summary,
 };
 use littlewood_random::Draw;
 use proptest::prelude::*;
@@ -295,6 +296,34 @@ fn a_lift_off_is_not_followed_by_a_slide_that_rounding_makes() {
             }
         }
     }
+}
+
+/// Next to P = 0 a fast slide changes within 1e-13, where powers of the time overflow.
+#[test]
+fn a_slide_of_huge_friction_sticks_before_its_series_overflow() {
+    let hoop = HoopParameters::thin(1.036_161_741_010_089_8)
+        .with_offset(0.324_490_197_616_359_2)
+        .with_friction(1e9, 9.76e8)
+        .with_slope(-0.753_307_552_346_465_5);
+    let hoop = Hoop::new(hoop).expect("a valid hoop");
+    let start = Start::at(-3.126_493_965_512_413, 1e-300).with_slip(1e6);
+    agree(&hoop, &[start]).unwrap_or_else(|difference| panic!("{difference}"));
+    let motion = hoop.simulate(start, Limits::default().with_transitions(1));
+    let motion = motion.expect("a valid start");
+    assert_eq!(motion.transitions()[0].cause, Cause::Stick);
+}
+
+/// A slide of thirty turns adds up the rounding of θ, but not of its sine and cosine.
+#[test]
+fn a_jump_out_of_a_slide_over_many_turns_has_the_length_of_the_simulation() {
+    let hoop = HoopParameters::thin(2.681_111_627_639_557)
+        .with_inertia(2.906_948_568_515_596)
+        .with_offset(0.321_518_095_155_202_3)
+        .with_friction(0.208_400_877_069_873_04, 0.015_704_053_006_507_98)
+        .with_slope(0.190_380_574_999_718_03);
+    let hoop = Hoop::new(hoop).expect("a valid hoop");
+    let start = Start::at(2.789_187_302_707_429_4, -0.001);
+    agree_within(100.0, &hoop, &[start]).unwrap_or_else(|difference| panic!("{difference}"));
 }
 
 /// Regimes of all kinds, with their starts over the whole plane.

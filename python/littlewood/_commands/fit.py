@@ -17,6 +17,7 @@ from typing import Any
 
 from .._internal.extras import require
 from ..fitting.fall import Fall, fall_of
+from ..fitting.given import checked_errors
 from ..fitting.least_squares import fit
 from ..fitting.problem import OF_HOOP
 from ..fitting.result import FitResult, FitWarning
@@ -175,6 +176,15 @@ def _parser() -> argparse.ArgumentParser:
         f"held",
     )
     parser.add_argument(
+        "--error",
+        metavar=("NAME", "SIZE"),
+        nargs=2,
+        action="append",
+        default=[],
+        help="how well something is known, so that the intervals include it; several times: "
+        "mass_ratio, offset, inertia, clock and camera_scale as parts of 1, slope in radians",
+    )
+    parser.add_argument(
         "--any-clock",
         action="store_true",
         help="fit also where flights contradict the times",
@@ -296,6 +306,14 @@ def _hoop_of(options: argparse.Namespace) -> Hoop:
     )
 
 
+def _errors(options: argparse.Namespace) -> dict[str, float]:
+    """Return how well is known what was weighed and measured."""
+    try:
+        return checked_errors({name: float(size) for name, size in options.error})
+    except ValueError as error:
+        raise ValueError(f"--error: {error}") from None
+
+
 def _plane(options: argparse.Namespace) -> Plane | None:
     """Return the plane of the measured points, if there are any."""
     if options.point is None:
@@ -380,6 +398,8 @@ def _from_film(options: argparse.Namespace, path: Path) -> tuple[FitResult, byte
     options.rate = clock.require_rate(rate)
     for note in (*clock.facts(rate), *clock.doubts(rate)):
         print(f"note: {note}", file=sys.stderr)
+    # What makes no sense is refused before the long work.
+    _errors(options)
     hoop = _hoop_of(options)
     radius_m = hoop.require_units().length_m
     plane = _plane(options) or video.find_plane(
@@ -433,4 +453,11 @@ def _fit(options: argparse.Namespace, track: Track, hoop: Hoop, bar: bool) -> Fi
     with warnings.catch_warnings():
         # The table has them.
         warnings.simplefilter("ignore", FitWarning)
-        return fit(track, hoop, free=options.free, slips_at_start=True, progress=bar)
+        return fit(
+            track,
+            hoop,
+            free=options.free,
+            slips_at_start=True,
+            errors=_errors(options),
+            progress=bar,
+        )

@@ -27,6 +27,7 @@ __all__ = ["DOUBTS", "Doubt", "doubts_of_residuals"]
 DOUBTS: Mapping[str, str] = {
     "identifiability": "a free parameter leaves no trace in the motion",
     "held": "the track contradicts a value that the fit holds",
+    "unseen": "a value that the fit holds matters, and the track does not show whether it is right",
     "camera": "the track shows a constant error of the camera that the fit does not estimate",
     "bound": "a free parameter ends at its bound",
     "sequences": "another sequence of phases explains the track nearly as well",
@@ -53,11 +54,30 @@ _ALSO = 0.8
 _STEPS_OF_FREED = 30
 # A cause explains at least this part of what the squares of the residuals have too much.
 _EXPLAINS = 0.4
-# What nobody weighs, and by which part somebody may take it wrong.
-_COEFFICIENTS = ("mu_s", "mu_k", "restitution")
-_DOUBTFUL = 0.1
-# A rolling resistance that a hoop on a hard floor may have.
-_RESISTANCE = 0.01
+# By how much somebody may have wrong what a fit holds: a part of it, a part of 1, an angle or R.
+_IN_PARTS = ("mu_s", "mu_k", "inertia", "restitution", "mass_ratio", "offset")
+_WRONG_BY = {
+    **dict.fromkeys(("mu_s", "mu_k", "restitution"), 0.1),
+    **dict.fromkeys(("inertia", "mass_ratio"), 0.05),
+    **dict.fromkeys(("offset", "camera_scale"), 0.03),
+    **dict.fromkeys(("slope", "camera_turn"), math.radians(2.0)),
+    **dict.fromkeys(("camera_floor", "camera_stretch", "camera_shear"), 0.02),
+    **dict.fromkeys(("camera_middle_x", "camera_middle_y"), 0.02),
+    **dict.fromkeys(("camera_perspective_x", "camera_perspective_y"), 0.005),
+    "rolling_resistance": 0.01,
+    "clock": 0.04,
+    "camera_marker": math.radians(3.0),
+    "camera_exposure": 0.0,
+}
+_ANGLES = ("slope", "camera_turn", "camera_marker")
+_PARTS = ("clock", "camera_scale", "camera_stretch", "camera_shear")
+# An error that the residuals show by so many standard deviations has a doubt, but for one track in
+# thirty; one that moves a result by so many standard errors makes it wrong.
+_SHOWN = 6.0
+_MATTERS = 2.0
+# Of the errors that somebody may make this part is too small to speak of.
+_LARGE = 0.3
+_TINY = 1e-300
 # A derivative of which less is left beside those of the free parameters cannot be told from theirs.
 _SEPARATE = 1e-3
 
@@ -102,11 +122,12 @@ class _Channel:
 
 
 def doubts_of_residuals(
-    problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool
+    problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool, told: Iterable[str]
 ) -> list[Doubt]:
     """Return the doubts that the residuals of a fit raise.
 
-    `known` are the channels whose errors were given.
+    `known` are the channels whose errors were given, and `told` what is held with an error that was
+    given.
     """
     known = set(known)
     residuals = problem.seen(problem.residuals(unknowns))
@@ -124,7 +145,12 @@ def doubts_of_residuals(
             else _from_frame_to_frame(scaled, frames[name])
         )
         channels[name] = _Channel(frames[name], scaled, relative[name], max(sigma, _LEAST_ERROR))
-    found = [*_contradictions(problem, unknowns, channels), *_structure(channels)]
+    held, excess = _all_held(problem, unknowns, channels)
+    found = [
+        *_contradictions(problem, unknowns, held, excess),
+        *_unseen(one for one in held if one.name not in told),
+    ]
+    found += _structure(channels)
     if not robust:
         found += [*_outliers(channels), *_misfit(channels, known, unknowns.size)]
     return found
@@ -160,13 +186,49 @@ def _outliers(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:
             )
 
 
-def _contradictions(
-    problem: Problem, unknowns: Reals, channels: Mapping[str, _Channel]
-) -> Iterator[Doubt]:
-    """Score tests of what is held.
+@dataclass(frozen=True, kw_only=True)
+class _Held:
+    """What a track says of something that the fit holds.
 
-    Whether the residuals lean along its derivative, apart from those of the fit.
+    Attributes
+    ----------
+    name : str
+        Its name.
+    value : float
+        Its value.
+    shown : float
+        By how many standard deviations the residuals show an error of 1, apart from what the free
+        parameters make up for.
+    score : float
+        By how many the residuals lean along such an error.
+    is_separate : bool
+        Whether they can be told from what the free parameters do.
+    moved : mapping of str to float
+        By how many standard errors an error of 1 moves each parameter of the hoop.
     """
+
+    name: str
+    value: float
+    shown: float
+    score: float
+    is_separate: bool
+    moved: Mapping[str, float]
+
+    @property
+    def hidden(self) -> float:
+        """The largest error that somebody may make and that the residuals may not show.
+
+        None where they show all but small ones.
+        """
+        most = _WRONG_BY[self.name] * (abs(self.value) if self.name in _IN_PARTS else 1.0)
+        hidden = min(most, _SHOWN / max(self.shown, _TINY))
+        return hidden if hidden >= _LARGE * most else 0.0
+
+
+def _all_held(
+    problem: Problem, unknowns: Reals, channels: Mapping[str, _Channel]
+) -> tuple[list[_Held], float]:
+    """Return what is held, and what the squares of the residuals have too much."""
     weights = {name: 1.0 / (one.sigma * one.relative) for name, one in channels.items()}
 
     def stacked(columns: Mapping[str, Reals]) -> Reals:
@@ -180,7 +242,6 @@ def _contradictions(
     basis, singular, rows = np.linalg.svd(free / norms, full_matrices=False)
     kept = singular > 1e-8 * singular[0]
     basis, singular, rows = basis[:, kept], singular[kept], rows[kept]
-    of_hoop = [k for k, name in enumerate(problem.names) if name in problem.holdable]
     errors = np.linalg.norm(rows / singular[:, None], axis=0) / norms
     residuals = np.concatenate([one.scaled for one in channels.values()])
     # Outliers have a doubt of their own.
@@ -190,57 +251,85 @@ def _contradictions(
     camera = [_CAMERA + name for name in determined(CALIBRATION, channels)]
     found = []
     for name in (*problem.holdable, *camera):
-        if name in problem.names:
-            continue
-        columns = problem.derivative_by(name, values)
+        columns = None if name in problem.names else problem.derivative_by(name, values)
         if columns is None:
             continue
         slope = stacked(columns)
-        if name in _COEFFICIENTS or name == "rolling_resistance":
-            change = _DOUBTFUL * float(values[name]) if name in _COEFFICIENTS else _RESISTANCE
-            moved = (
-                np.abs(rows.T @ ((basis.T @ slope) / singular) / norms)
-                * change
-                / np.where(errors > 0.0, errors, 1.0)
-            )
-            # Not to first order alone: a curved valley hides more than its tangent.
-            unseen = float(np.linalg.norm(slope - basis @ (basis.T @ slope))) * change < 2.0 * _LOUD
-            k = max(of_hoop, key=lambda one: float(moved[one]), default=None)
-            if unseen and k is not None and moved[k] > _LOUD:
-                yield Doubt(
-                    "held",
-                    f"if {name}, held at {values[name]:.3g}, is wrong by {change:.2g}, "
-                    f"{problem.names[k]} is by "
-                    f"{moved[k]:.0f} standard errors, and the track does not show it: estimate "
-                    f"{name}, too",
-                    (name, problem.names[k]),
-                )
-        apart = slope - basis @ (basis.T @ slope)
+        along = basis.T @ slope
+        apart = slope - basis @ along
         size = float(np.linalg.norm(apart))
-        if size <= _SEPARATE * float(np.linalg.norm(slope)):
-            continue
-        score = float(residuals @ apart) / size
-        if not problem.may_move(name, values.get(name, 0.0), -score):
-            continue
-        found.append((abs(score), name, values.get(name, 0.0) - score / size, 1.0 / size))
-    found.sort(reverse=True)
+        moved = (rows.T @ (along / singular)) / norms / np.where(errors > 0.0, errors, 1.0)
+        found.append(
+            _Held(
+                name=name,
+                value=float(values.get(name, 0.0)),
+                shown=size,
+                score=float(residuals @ apart) / max(size, _TINY),
+                is_separate=size > _SEPARATE * float(np.linalg.norm(slope)),
+                moved={
+                    one: abs(float(moved[k]))
+                    for k, one in enumerate(problem.names)
+                    if one in problem.holdable
+                },
+            )
+        )
+    return found, float(residuals @ residuals) - residuals.size
+
+
+def _unseen(held: Iterable[_Held]) -> Iterator[Doubt]:
+    """Name what is held where a hidden error of it makes something else wrong."""
+    words, parameters = [], []
+    for one in held:
+        moved, what = max(((size, name) for name, size in one.moved.items()), default=(0.0, ""))
+        if moved * one.hidden > _MATTERS:
+            words.append(f"{one.name} by {_as_size(one, 1.0 / moved)} ({what})")
+            parameters += [one.name, what]
+    if words:
+        yield Doubt(
+            "unseen",
+            "the track does not show whether these are right, and each makes the number in "
+            "brackets wrong by its standard error if it is wrong itself by no more than this: "
+            f"{', '.join(words)}. Measure them so well, or say how well you know them (errors; "
+            "--error), so that the intervals include it",
+            tuple(dict.fromkeys(parameters)),
+        )
+
+
+def _as_size(of: _Held, error: float) -> str:
+    """Return an error in the unit in which it is measured."""
+    if of.name in _IN_PARTS:
+        return f"{100.0 * error / max(abs(of.value), _TINY):.2g} %"
+    if of.name in _ANGLES:
+        return f"{math.degrees(error):.2g}°"
+    return f"{100.0 * error:.2g} %" if of.name in _PARTS else f"{error:.2g} R"
+
+
+def _contradictions(
+    problem: Problem, unknowns: Reals, held: Iterable[_Held], excess: float
+) -> Iterator[Doubt]:
+    """Score tests of what is held.
+
+    Whether the residuals lean along its derivative, apart from those of the fit.
+    """
+    found = sorted(
+        (one for one in held if one.is_separate), key=lambda one: abs(one.score), reverse=True
+    )
     # What explains little of waves in the residuals is not their cause.
-    excess = float(residuals @ residuals) - residuals.size
-    if not found or found[0][0] < max(_LOUD, math.sqrt(max(0.0, _EXPLAINS * excess))):
+    if not found or abs(found[0].score) < max(_LOUD, math.sqrt(max(0.0, _EXPLAINS * excess))):
         return
-    shown = [one for one in found if one[0] >= _ALSO * found[0][0]][:3]
+    shown = [one for one in found if abs(one.score) >= _ALSO * abs(found[0].score)][:3]
     words = []
-    for _, name, value, error in shown:
-        if name in problem.holdable:
-            value, error = _freed(problem, unknowns, name, value, error)
-        words.append(f"{name} {value:.3g} ± {error:.1g} in place of {values.get(name, 0.0):.3g}")
-    of_camera = shown[0][1].startswith(_CAMERA)
-    parameters = tuple(name for _, name, _, _ in shown)
-    remedy = ": put it into free" if parameters[0] in OF_HOOP else ""
+    for one in shown:
+        value, error = one.value - one.score / one.shown, 1.0 / one.shown
+        if one.name in problem.holdable:
+            value, error = _freed(problem, unknowns, one.name, value, error)
+        words.append(f"{one.name} {value:.3g} ± {error:.1g} in place of {one.value:.3g}")
+    remedy = ": put it into free" if shown[0].name in OF_HOOP else ""
     yield Doubt(
-        "camera" if of_camera else "held",
-        f"by {found[0][0]:.0f} standard errors the track asks for {' or '.join(words)}{remedy}",
-        parameters,
+        "camera" if shown[0].name.startswith(_CAMERA) else "held",
+        f"by {abs(found[0].score):.0f} standard errors the track asks for "
+        f"{' or '.join(words)}{remedy}",
+        tuple(one.name for one in shown),
     )
 
 

@@ -21,6 +21,7 @@ from .calibration import checked
 from .diagnostics import Doubt, doubts_of_residuals
 from .estimate import Estimate
 from .fall import never_flies
+from .given import checked_errors, errors_of_given
 from .noise import Noise, error_of_frames
 from .problem import FINE, OF_HOOP, RESISTANCE_BEFOREHAND, ROUGH, Problem
 from .profile import rise
@@ -55,8 +56,8 @@ _PROFILED = 2.0
 _OTHER_RISE = 4.0
 # Two parameters that are so correlated are told apart badly.
 _RELATED = 0.9
-# Degrees of freedom of a variance that is known.
-_MANY = 1e6
+# Degrees of freedom of a variance that is known; so many samples tell that an error is smaller.
+_MANY, _TELLING = 1e6, 100.0
 _DEPENDENT = "the motion does not depend on it, apart from the others"
 
 
@@ -72,6 +73,7 @@ def fit(
     loss: str = "linear",
     search: bool = True,
     calibration: Iterable[str] | None = None,
+    errors: Mapping[str, float] | None = None,
     progress: bool = False,
 ) -> FitResult:
     r"""Estimate friction, inertia and restitution of a hoop from a tracked motion.
@@ -117,6 +119,11 @@ def fit(
         frame, "marker" (the angle), "middle_x" and "middle_y" (the centre against the marker), and
         "exposure" (exposure time). By default all for a track of :func:`track_video`, none for
         others. Those that no channel determines are omitted.
+    errors : mapping, optional
+        How well what was weighed and measured is known, as standard errors: "mass_ratio", "offset"
+        and "inertia" as parts of the values of `hoop`, "slope" in rad, "clock" as a part of all
+        times, and constants of the camera as "camera_scale", …. Standard errors then include what
+        they may have wrong, as far as the track does not tell it. By default they are right.
     progress : bool, optional
         Whether to show a progress bar (tqdm).
 
@@ -200,6 +207,7 @@ def fit(
         raise ValueError(
             f"{measured} measurements are not enough for {len(names)} unknowns: {', '.join(names)}"
         )
+    told = checked_errors(errors or {})
     camera = checked(track.calibration if calibration is None else calibration, track.channels)
     known = {name: Noise(real(value, f"sigma of {name}")) for name, value in (sigma or {}).items()}
     # Before constants of the camera are estimated, places are known to a per cent.
@@ -248,7 +256,7 @@ def fit(
             found = Compared(problem, best, {problem.motion(best.x).sequence: 1.0}, None)
         # Fewer guesses, or turns, may have been enough.
         show(total)
-    return _result(found, known, loss)
+    return _result(found, known, loss, told)
 
 
 def _searched(
@@ -285,11 +293,14 @@ def _bounds_met(problem: Problem, best: Any, covariance: Reals) -> list[str]:
     return met
 
 
-def _result(found: Compared, known: Mapping[str, Noise], loss: str) -> FitResult:
+def _result(
+    found: Compared, known: Mapping[str, Noise], loss: str, told: Mapping[str, float]
+) -> FitResult:
     problem, best, sequences = found.problem, found.best, found.sequences
     names = problem.names
     covariance, lost = _covariance(best.jac)
     moments = None if found.told is None else found.told.moments
+    of_given = errors_of_given(problem, best, told)
     met = _bounds_met(problem, best, covariance)
     at_bound = False
     if "mu_s" in names and "mu_k" in names:
@@ -298,6 +309,7 @@ def _result(found: Compared, known: Mapping[str, Noise], loss: str) -> FitResult
         change = np.eye(len(names))
         change[excess, kinetic] = 1.0
         covariance = change @ covariance @ change.T
+        of_given = change @ of_given @ change.T
         moments = None if moments is None else change @ moments @ change.T
         at_bound = best.active_mask[excess] != 0
         lost[excess] |= lost[kinetic]
@@ -350,11 +362,12 @@ def _result(found: Compared, known: Mapping[str, Noise], loss: str) -> FitResult
     doubts += _wrong_intervals(problem, best, covariance, estimates, loss)
     if found.told is not None and moments is not None:
         covariance = _as_sampled(covariance, moments, found.told.effective)
-        estimates = {
-            name: replace(one, std_error=math.sqrt(covariance[i, i]))
-            for i, (name, one) in enumerate(estimates.items())
-        }
-    doubts += doubts_of_residuals(problem, best.x, known, loss != "linear")
+    covariance = covariance + of_given
+    estimates = {
+        name: replace(one, std_error=math.sqrt(covariance[i, i]))
+        for i, (name, one) in enumerate(estimates.items())
+    }
+    doubts += doubts_of_residuals(problem, best.x, known, loss != "linear", told)
     result = FitResult(
         hoop=motion.hoop,
         start=motion.start,
@@ -423,16 +436,19 @@ def _wrong_intervals(
 
 
 def _as_sampled(covariance: Reals, moments: Reals, effective: float) -> Reals:
-    """Return a covariance whose standard errors are those of samples, where these are larger.
+    """Return a covariance whose standard errors are those of samples, where these are others.
 
-    That is where the F test of the two variances says so at 1 %: the likelihood is no parabola. Few
-    samples among many unknowns miss what is far away, so that they make no error smaller.
+    That is where the F test of the two variances says so at 1 %: the likelihood is no parabola, or
+    ends where another sequence of phases begins. Few samples among many unknowns miss what is far
+    away, so that they make no error smaller.
     """
-    high = float(require("scipy.special").fdtri(effective, _MANY, 0.99))
+    fdtri = require("scipy.special").fdtri
+    high = float(fdtri(effective, _MANY, 0.99))
+    low = float(fdtri(effective, _MANY, 0.01)) if effective >= _TELLING else 0.0
     normal, sampled = np.diag(covariance), np.diag(moments)
     finite = np.isfinite(normal) & (normal > 0.0)
     ratio = np.where(finite, sampled / np.where(finite, normal, 1.0), 1.0)
-    factor = np.sqrt(np.where(ratio > high, ratio, 1.0))
+    factor = np.sqrt(np.where((ratio > high) | (ratio < low), ratio, 1.0))
     found = covariance * factor * factor[:, None]
     found[~np.isfinite(covariance)] = math.inf
     return np.asarray(found)

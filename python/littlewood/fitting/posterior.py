@@ -14,8 +14,10 @@ from .problem import Problem
 __all__ = ["Mode", "Posterior", "posterior"]
 
 
-# Samples of each turn; those of the last turn count.
+# Samples of each turn; those of the last turn count, or of one of which this part counts: the
+# likelihood is nearly normal.
 _SAMPLES = (200, 300, 1000)
+_ENOUGH = 0.3
 # Student's distribution with so many degrees of freedom has tails that bear curved valleys.
 _FREEDOM = 5.0
 # Fewer samples than this, in effect, tell nothing.
@@ -107,6 +109,8 @@ def posterior(problem: Problem, modes: Sequence[Mode]) -> Posterior | None:
         total = float(weights.sum())
         weights = weights / total
         effective = 1.0 / float(np.sum(np.square(weights)))
+        if count > _SAMPLES[0] and effective >= _ENOUGH * count:
+            break
         if effective >= 2.0 * size:
             centres.append(np.asarray(weights @ drawn, dtype=np.float64))
             apart = drawn - centres[-1]

@@ -405,11 +405,12 @@ class Problem:
 
     def jacobian(self, unknowns: Reals) -> Reals:
         """Return the derivatives of :meth:`scaled`."""
-        parts = [
-            self._white[name](columns)
-            for name, columns in self.seen(self.derivatives(unknowns)).items()
-        ]
+        parts = [*self.whitened(self.derivatives(unknowns)).values()]
         return np.vstack([*parts, np.eye(unknowns.size)[self._told] / self._deviation[:, None]])
+
+    def whitened(self, by_channel: dict[str, Reals]) -> dict[str, Reals]:
+        """Return what was seen as numbers whose errors are independent and of size 1."""
+        return {name: self._white[name](rows) for name, rows in self.seen(by_channel).items()}
 
     def derivative_by(self, name: str, values: dict[str, Any]) -> dict[str, Reals] | None:
         """Return the derivatives of the residuals by something that is held.

@@ -13,13 +13,10 @@ import {
   OUTCOME_ROWS,
   OUTCOMES,
   type OutcomeKind,
-  type Quantity,
   SAMPLE_COLUMNS,
   type SampleColumn,
-  STATE_COLUMNS,
-  type StateColumn,
 } from '../generated/tables';
-import { boundary, Motion as CoreMotion, type Prediction, type Problem } from './wasm';
+import { boundary, Motion as CoreMotion, type Problem } from './wasm';
 
 export type Sample = Readonly<Record<SampleColumn, number>>;
 export type Samples = Record<SampleColumn, Float64Array> & { length: number };
@@ -61,29 +58,6 @@ export interface Routh {
   frame: Float64Array;
   sticking: Float64Array;
   compression: Float64Array;
-}
-
-/** What a small change of a quantity moves an event by, in the units of the problem; a reason where there is no derivative. */
-export interface Move {
-  quantity: Quantity;
-  change: number;
-  moved: number | null;
-  reason: string | null;
-}
-
-/** What moves a number of an event: the largest move first, and a sentence on it. */
-export interface Moves {
-  rows: Move[];
-  sentence: string;
-}
-
-/** A landing that is predicted to first order, and the flight before it. */
-export interface Ghost {
-  time: number;
-  theta: number;
-  x: number;
-  /** x and height of the mass centre, in turn. */
-  path: Float64Array;
 }
 
 /** A flight. */
@@ -325,26 +299,11 @@ export class Motion {
     return routh;
   }
 
-  /** What moves a number of a transition. */
-  moves(transition: number, column: StateColumn): Moves {
-    const core = this.core.moves(transition);
-    if (core === undefined) return { rows: [], sentence: '' };
-    const place = STATE_COLUMNS.indexOf(column);
-    const moves = { rows: JSON.parse(core.rows(place)) as Move[], sentence: core.sentence(place) };
-    core.free();
-    return moves;
-  }
-
   /** The landings, in order, as far as the motion is shown. */
   get landings(): Event[] {
     return this.events.filter(
       ({ name, transition, time }) => name === 'landing' && transition !== null && time <= this.end,
     );
-  }
-
-  /** What the derivatives predict of a landing of other motions. */
-  prediction({ transition }: Event): Prediction | null {
-    return (transition === null ? undefined : this.core.prediction(transition)) ?? null;
   }
 
   /** The table of the phases; with `all` nothing is folded or left out. */
@@ -375,15 +334,6 @@ export function modeOf(code: number): Mode {
   const mode = MODES[code];
   if (mode === undefined) throw new Error(`there is no mode with the code ${code}`);
   return mode;
-}
-
-/** What a prediction says of a problem: a ghost, or why there is none. */
-export function ghostOf(prediction: Prediction, problem: Problem): Ghost | string {
-  const core = prediction.of(problem);
-  const [time = NaN, theta = NaN, , , x = NaN] = core.landing();
-  const ghost = core.reason() ?? { time, theta, x, path: core.path() };
-  core.free();
-  return ghost;
 }
 
 /** Whether the core has the names that the page was generated with, in the same order. */

@@ -1,19 +1,17 @@
-// Starts the core, once in the page and once in the worker.
+// The part of the core that the first picture needs.
 
-import init, { begin } from '../wasm/littlewood_web.js';
+import init, { begin } from '../wasm/first/littlewood_web.js';
+import { firstModule } from './module';
 
 declare global {
-  /** The core calls this when it panics. */
+  /** Both parts of the core call this when they panic. */
   var littlewoodPanicked: (message: string) => void;
 }
 
 /** Starts the core. `panicked` is told of a defect, after which the core is not used again. */
-export async function startCore(
-  module: WebAssembly.Module,
-  panicked: (message: string) => void,
-): Promise<void> {
+export async function startCore(panicked: (message: string) => void): Promise<void> {
   globalThis.littlewoodPanicked = panicked;
-  await init({ module_or_path: module });
+  await init({ module_or_path: await firstModule() });
   begin();
 }
 
@@ -21,11 +19,9 @@ export {
   boundary,
   cases,
   classOf,
-  MapSubject,
+  hopClasses,
   Motion,
-  OutcomeMap,
   Plane,
-  Prediction,
   Problem,
   provokePanic,
   Refusal,
@@ -33,4 +29,4 @@ export {
   readNumber,
   Ticks,
   writeLink,
-} from '../wasm/littlewood_web.js';
+} from '../wasm/first/littlewood_web.js';

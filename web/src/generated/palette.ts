@@ -33,6 +33,7 @@ export const CURVES = [
   'lift_off',
   'chatter',
   'level',
+  'band_of_rest',
 ] as const;
 export type Curve = (typeof CURVES)[number];
 
@@ -131,6 +132,7 @@ export const PALETTES = {
       lift_off: '#006d4e',
       chatter: '#d7263d',
       level: '#9a9a9a',
+      band_of_rest: '#300000',
     },
     impulse: {
       sticking: '#7f6100',
@@ -203,6 +205,7 @@ export const PALETTES = {
       lift_off: '#4fd1a1',
       chatter: '#ff4d4d',
       level: '#7d8594',
+      band_of_rest: '#fcfcc0',
     },
     impulse: {
       sticking: '#f0c44c',
@@ -260,7 +263,8 @@ export const CURVE_ROWS = {
   separatrix: { label: 'separatrix', labelOnSlope: 'separatrix', letter: null, meaning: null, dash: [], width: 1.6 },
   lift_off: { label: 'lift-off: h cos θ θ′² = 1', labelOnSlope: 'lift-off: h cos θ θ′² = cos α', letter: null, meaning: 'above it: it leaves the ground at once', dash: [2.5, 1.8], width: 1.6 },
   chatter: { label: 'bounces grow out of rolling', labelOnSlope: 'bounces grow out of rolling', letter: null, meaning: null, dash: [1.0, 1.8], width: 1.6 },
-  level: { label: 'constant energy', labelOnSlope: 'constant energy', letter: null, meaning: null, dash: [], width: 0.8 },
+  level: { label: 'orbits of rolling', labelOnSlope: 'orbits of rolling', letter: null, meaning: null, dash: [], width: 0.8 },
+  band_of_rest: { label: 'band of rest', labelOnSlope: 'band of rest', letter: null, meaning: 'without motion it stays here: the ground holds it', dash: [], width: 4.8 },
 } as const satisfies Record<Curve, CurveRow>;
 
 /** The table of lines of the plane of impulses. */

@@ -1,7 +1,7 @@
 // The outcome map as a picture, refined by workers while nothing else happens.
 
-import { coreModule } from '../core/module';
-import { OutcomeMap } from '../core/wasm';
+import { laterModule } from '../core/module';
+import { hopClasses } from '../core/wasm';
 import type { Palette } from '../generated/palette';
 import { CLASSES, type Class } from '../generated/tables';
 import type { Shows } from '../state/state';
@@ -73,7 +73,7 @@ export class OutcomePicture {
       };
       worker.onerror = (event) => this.failed(event.message);
     }
-    coreModule().then(
+    laterModule().then(
       (module) => {
         for (const worker of workers)
           worker.postMessage({ kind: 'core', module } satisfies MapQuestion);
@@ -98,10 +98,7 @@ export class OutcomePicture {
     }
     this.classes = classes;
     this.shows = shows;
-    this.hops =
-      shows === 'hops'
-        ? hopClassesOf(OutcomeMap.hopClasses(classes), this.palette.hops.length)
-        : [];
+    this.hops = shows === 'hops' ? hopClassesOf(hopClasses(classes), this.palette.hops.length) : [];
     this.paint();
     // For the benchmark, which reads them from outside.
     performance.mark(`map-${stride}`, {

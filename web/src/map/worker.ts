@@ -1,7 +1,7 @@
 // Computes the outcome map, coarse to fine. A new request ends the work on an older one.
 
-import { MapSubject, OutcomeMap, Problem, startCore } from '../core/wasm';
 import type { Shows } from '../state/state';
+import init, { begin, MapSubject, OutcomeMap, Problem } from '../wasm/later/littlewood_web.js';
 import { BLOCK, type MapAnswer, type MapQuestion, type MapRequest, partOf } from './messages';
 
 const SUBJECT: Readonly<Record<Shows, MapSubject>> = {
@@ -86,7 +86,9 @@ self.onmessage = async ({ data }: MessageEvent<MapQuestion>) => {
   if (data.kind === 'map') latest = data.request;
   else {
     try {
-      await startCore(data.module, (message) => answer({ kind: 'failed', message }));
+      globalThis.littlewoodPanicked = (message) => answer({ kind: 'failed', message });
+      await init({ module_or_path: data.module });
+      begin();
     } catch (error) {
       answer({ kind: 'failed', message: String(error) });
       return;

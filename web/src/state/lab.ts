@@ -1,5 +1,6 @@
 // The laboratory: the last valid state, its motion, and the listeners to changes.
 
+import { type Ghost, ghostOf, type Prediction, predictionOf } from '../core/derivatives';
 import {
   HULA_HOOP,
   inOrder,
@@ -10,16 +11,8 @@ import {
   type Values,
   valuesOf,
 } from '../core/fields';
-import {
-  type ColumnUnits,
-  type Event,
-  type Ghost,
-  ghostOf,
-  type ImpactEvent,
-  Motion,
-  unitsOf,
-} from '../core/motion';
-import { type Prediction, Problem, Refusal } from '../core/wasm';
+import { type ColumnUnits, type Event, type ImpactEvent, Motion, unitsOf } from '../core/motion';
+import { Problem, Refusal } from '../core/wasm';
 import {
   DIMENSIONLESS,
   type DimensionlessNumber,
@@ -34,8 +27,8 @@ import {
   lawOf,
   type NamedCase,
   numberOf,
-  numbersOfProblem,
   type ProblemState,
+  problemIn,
   problemWith,
   type State,
   type ViewState,
@@ -157,7 +150,7 @@ export class Lab {
     const next = landings.findIndex((it) => it.time > this.time);
     const landing = Math.max(next, 0);
     const prediction =
-      landings[landing] === undefined ? null : this.motion.prediction(landings[landing]);
+      landings[landing] === undefined ? null : predictionOf(this.state.problem, landings[landing]);
     if (prediction !== null) this.before = { landing, prediction };
   }
 
@@ -165,8 +158,10 @@ export class Lab {
   get landing(): Landing | null {
     if (this.before === null) return null;
     const { landing, prediction } = this.before;
+    const predicted = ghostOf(prediction, this.state.problem);
+    if (predicted === null) return null;
     return {
-      predicted: ghostOf(prediction, this.problem),
+      predicted,
       exact: this.motion.landings[landing] ?? null,
     };
   }
@@ -189,7 +184,7 @@ export class Lab {
    * goes to the start unless `view` has a time.
    */
   take(next: ProblemState, view: Partial<ViewState> = {}, fieldErrors: FieldError[] = []): boolean {
-    const before = this.problem;
+    const before = { problem: this.problem, view: this.state.view };
     try {
       const problem = checked(next);
       const motion = Motion.of(problem, caseOf(next));
@@ -208,9 +203,10 @@ export class Lab {
     }
     this.state = { problem: next, view: { ...this.state.view, time: null, ...view } };
     this.fieldErrors = fieldErrors;
-    const changes: Change[] = ['motion', 'time', 'view', 'errors'];
-    if (!sameHoop(before, this.problem)) changes.push('hoop');
-    before.free();
+    const changes: Change[] = ['motion', 'time', 'errors'];
+    if (!sameView(before.view, this.state.view)) changes.push('view');
+    if (!sameHoop(before.problem, this.problem)) changes.push('hoop');
+    before.problem.free();
     this.clampTime();
     this.notify(...changes);
     return true;
@@ -306,11 +302,7 @@ export class Lab {
 
 /** Throws a refusal of the core. */
 function checked(problem: ProblemState): Problem {
-  const numbers = numbersOfProblem(problem);
-  const { system, restitution, law, until } = problem;
-  return system === 'si'
-    ? Problem.si(numbers, restitution, law, until)
-    : Problem.dimensionless(numbers, restitution, law, until);
+  return problemIn(Problem, problem);
 }
 
 /** What the core says of a problem, beside the field of the system that is shown. */
@@ -323,6 +315,13 @@ function fieldErrorOf(refusal: Refusal, problem: ProblemState): FieldError {
     given: String(numberOf(problem, field) ?? ''),
     message: inSigns(`${message}: ${hint}`),
   };
+}
+
+/** Whether two views differ in nothing but the time. */
+function sameView(a: ViewState, b: ViewState): boolean {
+  return (Object.keys(a) as (keyof ViewState)[]).every(
+    (key) => key === 'time' || a[key] === b[key],
+  );
 }
 
 /** Whether two problems have the same curves and the same map: all is the same but angle, rate, place and time. */

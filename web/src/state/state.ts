@@ -145,6 +145,18 @@ export function numbersOfProblem(problem: ProblemState): Float64Array {
     : inOrder('dimensionless', problem.values);
 }
 
+/** A problem of a part of the core. Throws a refusal of the core. */
+export function problemIn<P>(
+  core: Record<
+    System,
+    (numbers: Float64Array, restitution: number | null, law: Law | null, until: number | null) => P
+  >,
+  problem: ProblemState,
+): P {
+  const { system, restitution, law, until } = problem;
+  return core[system](numbersOfProblem(problem), restitution, law, until);
+}
+
 /** The law by which a problem bounces; none where its motion ends at the landing. */
 export function lawOf({ restitution, law }: Options): Law | null {
   return restitution === null ? null : (law ?? LAWS[0]);

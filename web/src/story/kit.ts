@@ -3,7 +3,7 @@
 // Each thing that can be dragged on a canvas is also a slider, which keyboard and screen reader
 // reach; the drag sets the slider.
 
-import { make } from '../dom';
+import { make, STILL } from '../dom';
 import type { Palette } from '../generated/palette';
 import { CAUSE_LABELS, CLASS_LABELS, QUANTITY_ROWS } from '../generated/tables';
 import { Sheet, type Size } from '../views/canvas';
@@ -38,9 +38,6 @@ const OF_THE_LIBRARY: Readonly<Record<string, string>> = {
 
 /** Milliseconds for which an event is shown where nothing may move by itself. */
 const STEP = 900;
-
-/** A reader who wants nothing to move by itself. */
-export const CALM = matchMedia('(prefers-reduced-motion: reduce)');
 
 export interface SliderOptions {
   min: number;
@@ -188,7 +185,7 @@ export class Player {
     this.silence(true);
     this.button.textContent = this.common.pause;
     this.last = performance.now();
-    if (CALM.matches) this.step();
+    if (STILL.matches) this.step();
     else this.frame = requestAnimationFrame(this.tick);
   }
 

@@ -5,7 +5,6 @@ import '../style/theme.css';
 import '../style/base.css';
 import '../style/hoop.css';
 import '../style/story.css';
-import { coreModule } from '../core/module';
 import { namesAgree } from '../core/motion';
 import { startCore } from '../core/wasm';
 import { byId, make } from '../dom';
@@ -29,7 +28,7 @@ themeButton.setAttribute('aria-label', COMMON.theme);
 byId('nav', HTMLElement).setAttribute('aria-label', COMMON.nav);
 
 try {
-  await startCore(await coreModule(), (message) => show(message));
+  await startCore((message) => show(message));
   if (!namesAgree()) throw new Error('page and core have different versions');
   tell(numbersOfText());
   document.documentElement.dataset.ready = 'true';

@@ -4,7 +4,6 @@ import '../generated/palette.css';
 import '../style/theme.css';
 import '../style/base.css';
 import '../style/sheet.css';
-import { coreModule } from '../core/module';
 import { startCore } from '../core/wasm';
 import { byId, make } from '../dom';
 import { addressOf } from './addresses';
@@ -16,7 +15,7 @@ const main = byId('sheet', HTMLElement);
 document.documentElement.lang = LANGUAGE;
 
 try {
-  await startCore(await coreModule(), (message) => show(message));
+  await startCore((message) => show(message));
   const numbers = numbersOfText();
   const said = (text: string): Node[] => rich(text, numbers, addressOf);
   const print = make('button', { type: 'button' }, SHEET.print);

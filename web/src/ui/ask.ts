@@ -1,7 +1,7 @@
 // The question over the hoop: of the simple view and of the lessons. A guess plays the motion; what
-// it does is the answer.
+// it does is the answer, as soon as it does it.
 
-import { brief, byId, make } from '../dom';
+import { brief, byId, make, STILL } from '../dom';
 import { COLUMN_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import type { Clock } from './clock';
@@ -55,10 +55,11 @@ export class Ask {
 
   private take(guess: number): void {
     this.guess = guess;
-    const { begin } = this.lab.motion;
-    if (this.answerTime > begin) {
-      this.lab.setTime(begin);
-      this.clock.play();
+    const { answerTime, lab, clock } = this;
+    const { begin } = lab.motion;
+    if (answerTime > begin) {
+      lab.setTime(STILL.matches ? answerTime : begin);
+      if (!STILL.matches) clock.play();
     }
     this.showTime();
   }
@@ -72,7 +73,7 @@ export class Ask {
   /** When the motion has answered. */
   private get answerTime(): number {
     const { motion } = this.lab;
-    if (this.lesson === null) return motion.hop?.end ?? motion.end;
+    if (this.lesson === null) return motion.hop?.start ?? motion.end;
     const { until } = LESSONS[this.lesson];
     if (until === 'start') return motion.begin;
     if (until === 'landing') return motion.hop?.end ?? motion.end;

@@ -2,10 +2,10 @@
 
 import { HULA_SECOND, sayStart } from '../core/fields';
 import type { Motion, Sample } from '../core/motion';
-import { brief, byId } from '../dom';
+import { brief, byId, STILL } from '../dom';
 import type { Palette } from '../generated/palette';
 import { COLUMN_ROWS, QUANTITY_ROWS } from '../generated/tables';
-import type { Lab } from '../state/lab';
+import type { Lab, Landing } from '../state/lab';
 import { type Camera, drawHoop, type HoopScene, seen } from '../views/hoop';
 import { HoopWidget } from '../views/hoop-widget';
 import type { Clock } from './clock';
@@ -18,9 +18,6 @@ const SNAP = 0.03;
 
 /** What an arrow key changes the slope by; a tenth of it with Shift. */
 const KEY_STEP = 0.05;
-
-/** A person who wants nothing to move by itself. */
-const STILL = matchMedia('(prefers-reduced-motion: reduce)');
 
 /** Pixels about the line of the plane where a mouse takes it. */
 const REACH = 9;
@@ -43,6 +40,7 @@ export class HoopPane {
     private readonly lab: Lab,
     clock: Clock,
     private palette: Palette,
+    private readonly isPlain: () => boolean,
     draw: () => void,
   ) {
     this.widget = new HoopWidget(
@@ -89,17 +87,17 @@ export class HoopPane {
   }
 
   private get scene(): HoopScene {
-    const { motion, time, plain, problem, state, landing, units, pinned } = this.lab;
+    const { motion, time, plain, problem, state, units, pinned } = this.lab;
+    const { landing } = this;
     const { system } = state.problem;
+    const isPlain = this.isPlain();
     const force = 1 + plain.mass_ratio;
+    const inUnits = `weight: ${brief(force * units.normal, 3)} ${COLUMN_ROWS.normal.units[system]}`;
     return {
       axis: { radius: units.x, unit: COLUMN_ROWS.x.units[system] },
-      weight: {
-        force,
-        text: `weight: ${brief(force * units.normal, 3)} ${COLUMN_ROWS.normal.units[system]}`,
-      },
-      contact: state.view.embed ? null : plain,
-      symbols: state.view.symbols,
+      weight: { force, text: isPlain ? null : inUnits },
+      contact: state.view.embed || isPlain ? null : plain,
+      symbols: state.view.symbols && !isPlain,
       isSecret: this.lab.isSecret,
       pinned: pinned === null ? null : pinnedAt(pinned.motion, time),
       motion,
@@ -116,6 +114,11 @@ export class HoopPane {
     };
   }
 
+  /** The predicted landing, for who knows what that is. */
+  private get landing(): Landing | null {
+    return this.isPlain() ? null : this.lab.landing;
+  }
+
   paint(): void {
     this.widget.paint();
     if (this.widget.size.width > 0) this.placeHandle(this.widget.camera);
@@ -125,13 +128,13 @@ export class HoopPane {
   /** The predicted landing in words, beside the exact one. */
   private showGhost(): void {
     const {
-      landing,
       motion,
       units,
       state: {
         problem: { system },
       },
     } = this.lab;
+    const { landing } = this;
     this.ghost.hidden = landing === null;
     if (landing === null) return;
     const { predicted, exact } = landing;
@@ -233,7 +236,7 @@ export class HoopPane {
 
   /** Whether a mouse is on the line of the plane. A finger there may be about to scroll the page: it takes the handle. */
   private isOnPlane({ clientX, clientY, pointerType }: PointerEvent): boolean {
-    if (pointerType === 'touch' || this.lab.state.view.embed) return false;
+    if (pointerType === 'touch' || this.lab.state.view.embed || this.isPlain()) return false;
     const box = this.widget.canvas.getBoundingClientRect();
     const { at, sin, cos } = this.widget.camera;
     const [x, y] = at(0, 0);

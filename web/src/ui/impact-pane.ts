@@ -11,6 +11,12 @@ import { drawRouth } from '../views/routh';
 /** The lines of the legend. */
 const LINES = ['sticking', 'greatest_compression'] as const satisfies readonly ImpulseLine[];
 
+/** A line in the legend. */
+function entry(name: ImpulseLine): HTMLLIElement {
+  const { label, dash, width } = IMPULSE_LINE_ROWS[name];
+  return make('li', { 'data-impulse': name }, line(width, dash), label);
+}
+
 export class ImpactPane {
   private readonly pane = byId('impact', HTMLElement);
   private readonly sheet: Sheet;
@@ -18,6 +24,10 @@ export class ImpactPane {
   private readonly rows = byId('impact-numbers', HTMLTableSectionElement);
   private readonly previous = byId('previous-impact', HTMLButtonElement);
   private readonly next = byId('next-impact', HTMLButtonElement);
+  private readonly legend = {
+    sticking: entry('sticking'),
+    greatest_compression: entry('greatest_compression'),
+  };
   private shown: ImpactEvent | null = null;
   private routh: Routh | null = null;
   private stale = true;
@@ -34,10 +44,7 @@ export class ImpactPane {
     });
     byId('routh-lines', HTMLUListElement).replaceChildren(
       make('li', { 'data-arrow': 'impulse' }, line(3.5, []), 'the impact'),
-      ...LINES.map((name) => {
-        const { label, dash, width } = IMPULSE_LINE_ROWS[name];
-        return make('li', { 'data-impulse': name }, line(width, dash), label);
-      }),
+      ...LINES.map((name) => this.legend[name]),
     );
     this.previous.addEventListener('click', () => this.step(-1));
     this.next.addEventListener('click', () => this.step(1));
@@ -79,6 +86,11 @@ export class ImpactPane {
     this.showWords();
     this.showNumbers();
     this.picture.hidden = this.routh === null;
+    // With rolling resistance, whose couple bends the lines, the picture has the way alone.
+    for (const name of LINES) {
+      const ends = name === 'sticking' ? this.routh?.sticking : this.routh?.compression;
+      this.legend[name].hidden = !ends?.length;
+    }
     byId('impact-diagram', HTMLElement).hidden = impact === null;
   }
 

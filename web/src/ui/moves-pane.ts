@@ -1,6 +1,8 @@
 // What moves the event that is shown, and by how much, as bars.
 
-import type { Event, Move } from '../core/motion';
+import { type Move, movesOf } from '../core/derivatives';
+import { later, loadLater } from '../core/later';
+import type { Event } from '../core/motion';
 import { brief, byId, make } from '../dom';
 import { COLUMN_ROWS, QUANTITY_ROWS, STATE_COLUMNS, type StateColumn } from '../generated/tables';
 import type { Lab } from '../state/lab';
@@ -15,7 +17,8 @@ export class MovesPane {
 
   constructor(
     private readonly lab: Lab,
-    draw: () => void,
+    private readonly draw: () => void,
+    private readonly failed: (message: string) => void,
   ) {
     this.column.addEventListener('change', () => {
       this.stale = true;
@@ -33,20 +36,23 @@ export class MovesPane {
       lab: { held, transition },
     } = this;
     if (held || (!this.stale && transition === this.shown)) return;
+    this.pane.hidden = transition === null;
+    if (later() === null) {
+      loadLater().then(this.draw, (error: unknown) => this.failed(String(error)));
+      return;
+    }
     this.stale = false;
     this.shown = transition;
-    this.pane.hidden = transition === null;
     if (transition !== null) this.show(transition);
   }
 
-  private show({ label, time, transition }: Event): void {
+  private show(event: Event): void {
     const {
-      motion,
       units,
-      state: {
-        problem: { system },
-      },
+      state: { problem },
     } = this.lab;
+    const { label, time } = event;
+    const { system } = problem;
     const column = STATE_COLUMNS.find((it) => it === this.column.value) ?? 'time';
     this.column.replaceChildren(
       ...STATE_COLUMNS.map((it) =>
@@ -61,7 +67,7 @@ export class MovesPane {
     const { signs, units: unit } = COLUMN_ROWS.time;
     byId('moves-place', HTMLElement).textContent =
       `${label}, ${signs[system]} = ${brief(time * units.time)}${system === 'si' ? ` ${unit.si}` : ''}`;
-    const { rows, sentence } = motion.moves(transition ?? 0, column);
+    const { rows, sentence } = movesOf(problem, event, column) ?? { rows: [], sentence: '' };
     byId('moves-sentence', HTMLParagraphElement).textContent = sentence;
     this.column.hidden = rows.length === 0;
     const known = rows.filter((it) => it.moved !== null);

@@ -49,6 +49,8 @@ export class PlanePane {
   constructor(
     private readonly lab: Lab,
     private palette: Palette,
+    /** The simple view and a frame have no phase plane, and so no map is computed for them. */
+    private readonly isShown: () => boolean,
     draw: () => void,
     failed: (message: string) => void,
   ) {
@@ -178,7 +180,7 @@ export class PlanePane {
       entry.hidden =
         curve === undefined
           ? this.curves.region.length === 0
-          : this.curves.lines[curve].every((it) => it.length === 0);
+          : this.curves.lines[curve].length === 0;
     }
     this.asked = null;
     this.askMap();
@@ -189,10 +191,10 @@ export class PlanePane {
     const {
       problem,
       state: {
-        view: { embed, map, rate, shows },
+        view: { map, rate, shows },
       },
     } = this.lab;
-    if (embed || !map || this.asked === shows) return;
+    if (!this.isShown() || !map || this.asked === shows) return;
     this.asked = shows;
     const { restitution, restitutionLaw: law } = problem;
     this.map.ask({ numbers: problem.toDimensionless(), restitution, law, rate, shows });
@@ -250,11 +252,7 @@ export class PlanePane {
       make('span', { class: 'swatch region', 'aria-hidden': 'true' }),
       '𝓡, hatched: it can roll here',
     );
-    const left =
-      this.lab.plain.rolling_resistance > 0
-        ? [make('li', {}, 'χ > 0: no curves of rolling, whose limits differ each way')]
-        : [];
-    byId('curves', HTMLUListElement).replaceChildren(...curves, region, ...left);
+    byId('curves', HTMLUListElement).replaceChildren(...curves, region);
   }
 
   private showLegend(): void {

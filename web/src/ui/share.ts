@@ -107,6 +107,8 @@ export class Share {
 
   private notify(text: string): void {
     window.clearTimeout(this.timer);
+    // The dialogue lies over all that is not in it.
+    (this.dialog.open ? this.dialog : document.body).append(this.note);
     this.note.textContent = text;
     this.note.classList.add('shown');
     this.timer = window.setTimeout(() => {

@@ -28,6 +28,7 @@ const rounded = (value: number): number => Number(value.toPrecision(4));
 const {
   theta_rate: { usual: spins },
   mu_s: { usual: grips },
+  rolling_resistance: { usual: resistances },
 } = QUANTITY_ROWS;
 
 const SLIDERS: readonly Slider[] = [
@@ -82,6 +83,18 @@ const SLIDERS: readonly Slider[] = [
     },
   },
   {
+    name: 'resistance',
+    least: resistances[0],
+    most: resistances[1],
+    step: 0.01,
+    read: (lab) => lab.plain.rolling_resistance,
+    write: (lab, rolling_resistance) => lab.setPlain({ rolling_resistance }),
+    say: (value) => {
+      const { none, some } = TEXTS.sliders.resistance;
+      return filled(value === 0 ? none : some, { value: brief(value, 3) });
+    },
+  },
+  {
     name: 'bounce',
     absent: TEXTS.sliders.bounce.absent,
     least: OFF,
@@ -113,6 +126,9 @@ export class Words {
     return { slider, range, said };
   });
 
+  /** The modes that are explained. */
+  private legend = '';
+
   constructor(private readonly lab: Lab) {
     byId('words', HTMLDivElement).append(
       ...this.rows.map(({ slider, range, said }) =>
@@ -142,6 +158,8 @@ export class Words {
       if (it === 'gliding') return problem.isMassless;
       return (it !== 'rest' && it !== 'skidding') || plain.rolling_resistance > 0;
     });
+    if (modes.join() === this.legend) return;
+    this.legend = modes.join();
     byId('words-legend', HTMLUListElement).replaceChildren(
       ...modes.map((mode) =>
         make(

@@ -1,7 +1,8 @@
 // The hoop, to scale on the plane: particle, mass centre, contact point, forces, slip velocity and
 // trails. The view is level, and a plane with a slope is tilted.
 
-import { type Ghost, type Motion, modeOf, type Sample, type Samples } from '../core/motion';
+import type { Ghost } from '../core/derivatives';
+import { type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { roundTicks } from '../core/ticks';
 import { MODE_DASHES, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, type Mode, QUANTITY_ROWS } from '../generated/tables';
@@ -21,8 +22,8 @@ export interface HoopScene {
   palette: Palette;
   /** What a radius is worth on the axis, and its unit; R without it. */
   axis?: { radius: number; unit: string };
-  /** The weight of hoop and particle, m₂g, by which the arrows of forces are scaled, and how it is written. */
-  weight?: { force: number; text: string };
+  /** The weight of hoop and particle, m₂g, by which the arrows of forces are scaled, and how it is written at the bar of that scale, if there is one. */
+  weight?: { force: number; text: string | null };
   /** The coefficients of friction of the inset of the contact; without them there is none. */
   contact?: { mu_s: number; mu_k: number } | null;
   /** Whether letters stand at what is drawn. */
@@ -99,7 +100,7 @@ export function drawHoop(
   drawBody(c, camera, scene, sample);
   drawArrows(c, camera, scene, sample);
   if (sample.time <= motion.begin) drawSpin(c, camera, scene, sample);
-  if (scene.weight) drawBar(c, size, camera, scene.weight.text, palette);
+  if (scene.weight?.text) drawBar(c, size, camera, scene.weight.text, palette);
   if (scene.contact) drawContact(c, size, scene, sample, scene.contact);
   if (scene.follow) drawInset(c, size, camera, scene);
 }

@@ -3,7 +3,7 @@
 import { type Motion, modeOf, type Sample, type Samples } from '../core/motion';
 import { angularTicks, roundTicks } from '../core/ticks';
 import { Plane, type Problem } from '../core/wasm';
-import { CURVE_ROWS, type Curve, MODE_DASHES, type Palette } from '../generated/palette';
+import { CURVE_ROWS, CURVES, type Curve, MODE_DASHES, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, type System } from '../generated/tables';
 import { label, type Size, setDash } from './canvas';
 import { FONT } from './font';
@@ -11,9 +11,6 @@ import { FONT } from './font';
 /** Angles that are shown: one turn and a half, so that neither the top nor the bottom is cut. */
 export const FROM = -Math.PI;
 export const TO = 2 * Math.PI;
-
-/** Energies over ℓ̂ whose levels are drawn, between the least and the largest that the plane shows. */
-const LEVELS = 9;
 
 const MARGIN = { left: 46, right: 14, top: 12, bottom: 40 };
 
@@ -65,7 +62,7 @@ export class Frame {
 
 /** The curves of one hoop, computed once: points θ, θ′ one after the other, with NaN, NaN between pieces. */
 export interface Curves {
-  lines: Readonly<Record<Curve, Float64Array[]>>;
+  lines: Readonly<Record<Curve, Float64Array>>;
   /** With where they stand. */
   letters: readonly [string, number, number][];
   region: Float64Array;
@@ -80,14 +77,6 @@ const REGION_NAME = [0.28, 0.13] as const;
 
 export function curvesOf(problem: Problem, rate: number): Curves {
   const plane = new Plane(problem, FROM, TO, rate);
-  const bottom = plane.energy(Math.PI, 0);
-  const saddle = plane.energy(0, 0);
-  const top = plane.energy(Math.PI, rate);
-  const levels: number[] = [];
-  for (let k = 1; k <= 3; k++) levels.push(bottom + ((saddle - bottom) * k) / 4);
-  for (let k = 1; k <= LEVELS - 3; k++)
-    levels.push(saddle + (Math.max(top, plane.energy(0, rate)) - saddle) * (k / (LEVELS - 2)) ** 2);
-  const named = (curve: Curve): Float64Array[] => [plane.curve(curve)];
   const letters: [string, number, number][] = [];
   for (const curve of UPWARDS) {
     const place = plane.placeOfLetter(curve);
@@ -95,14 +84,9 @@ export function curvesOf(problem: Problem, rate: number): Curves {
   }
   const region = plane.region();
   const curves: Curves = {
-    lines: {
-      slip_limit: named('slip_limit'),
-      normal_force_zero: named('normal_force_zero'),
-      separatrix: named('separatrix'),
-      lift_off: named('lift_off'),
-      chatter: named('chatter'),
-      level: levels.map((energy) => plane.level(energy)),
-    },
+    lines: Object.fromEntries(
+      CURVES.map((curve) => [curve, plane.curve(curve)]),
+    ) as Curves['lines'],
     letters,
     region,
     isRegionNamed: region.length > 0 && plane.canRoll(REGION_NAME[0], REGION_NAME[1] * rate),
@@ -138,10 +122,8 @@ export function drawPlane(c: CanvasRenderingContext2D, frame: Frame, scene: Plan
   hatchRegion(c, frame, curves.region, palette);
   for (const curve of UPWARDS) {
     setPen(c, curve, palette);
-    for (const points of curves.lines[curve]) {
-      trace(c, frame, points);
-      c.stroke();
-    }
+    trace(c, frame, curves.lines[curve]);
+    c.stroke();
   }
   c.setLineDash([]);
   for (let i = 0; i < curves.equilibria.length; i += 2) {
@@ -168,6 +150,7 @@ const UPWARDS: readonly Curve[] = [
   'lift_off',
   'normal_force_zero',
   'slip_limit',
+  'band_of_rest',
 ];
 
 function setPen(c: CanvasRenderingContext2D, curve: Curve, palette: Palette): void {

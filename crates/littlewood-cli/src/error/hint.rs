@@ -84,6 +84,7 @@ fn of_figure(error: &FigureError) -> Cow<'_, str> {
             "give a start at which the hoop stays on the plane, or leave the figure out"
         }
         FigureError::NeedsLevel { .. } => "leave out --slope, or the figure",
+        FigureError::NeedsNoResistance { .. } => "leave out --rolling-resistance, or the figure",
         FigureError::NoMotion { .. } => {
             "give another start; `littlewood classify` says what there is at this one"
         }

@@ -1,15 +1,16 @@
 //! Forces and energy of a motion against time, with its transitions.
 
+use littlewood::energy::{EnergyLedger, EnergyParts};
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Hoop, Phase, Sample, Transition};
 use littlewood_draw::{
     Content, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, PlotAxis,
     SMALL, SOFT, Series, Stroke, THEME, marked, short,
 };
-use littlewood_style::width::{BOLD, CURVE};
+use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash, EnergyPart};
 
-use crate::columns::{DEMAND, ENERGY, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME};
+use crate::columns::{COUPLE, DEMAND, ENERGY, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME};
 use crate::error::FigureError;
 use crate::impacts;
 use crate::input::FigureInput;
@@ -95,6 +96,35 @@ fn friction_panel(motion: &Shown) -> Content {
     motion.panel(name, y, layers, Vec::new())
 }
 
+/// The couple of rolling resistance over the radius, by Euler's equation, and ±χN, which it does not
+/// exceed.
+fn couple_panel(motion: &Shown) -> Content {
+    const NAME: &str = "couple of rolling resistance";
+    let hoop = motion.hoop();
+    let (h, chi) = (hoop.h(), hoop.rolling_resistance());
+    let inertia = hoop.inertia() + hoop.mass_ratio() * hoop.offset() * h;
+    let couple = motion.history(NAME, COUPLE, |_, sample| {
+        let (sin, cos) = libm::sincos(sample.state.theta);
+        let moment = h * sin * sample.normal + (1.0 + h * cos) * sample.friction;
+        Some(inertia * sample.theta_acceleration - moment).filter(|couple| couple.is_finite())
+    });
+    let bound = |sign: f64| {
+        let value = |_: &Phase, sample: &Sample| Some(sign * chi * sample.normal);
+        motion.history("limit of the couple", COUPLE, value)
+    };
+    let bounds = [bound(1.0), bound(-1.0)];
+    let [upper, lower] = &bounds;
+    let y = motion
+        .say
+        .axis(COUPLE, "*M*/*R*", range_of([&couple, upper, lower], &[0.0]));
+    let mut layers = motion.ground(&y, COUPLE);
+    let limit = Stroke::solid(SOFT, FINE).dashed(Dash::Dotted);
+    layers.extend(bounds.map(|series| series.drawn(limit)));
+    let colour = EnergyPart::RollingResistance.colour(THEME);
+    layers.push(couple.drawn(Stroke::solid(colour, 2.0)));
+    motion.panel(NAME, y, layers, Vec::new())
+}
+
 /// |F|/N, and |J|/P of impacts.
 fn demand_panel(motion: &Shown, spikes: &Spikes) -> Content {
     const NAME: &str = "friction over normal force";
@@ -150,11 +180,18 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     let spikes = Spikes::new(&motion);
     let sheet = input.sheet(WIDTH)?;
     let mut contents = vec![normal_panel(&motion), friction_panel(&motion)];
+    let resists = motion.hoop().rolling_resistance() > 0.0;
+    contents.extend(resists.then(|| couple_panel(&motion)));
     contents.extend(spikes.panel(&motion));
     contents.push(demand_panel(&motion, &spikes));
     let caption = format!(
         "Normal force *N*, friction force *F* (positive along `E`_{{1}}) and |*F*|/*N* against time; dashed verticals: transitions. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
-         jump where a slide begins or ends.{} {}.",
+         jump where a slide begins or ends.{}{} {}.",
+        if resists {
+            " *M*: couple of rolling resistance against the rotation, at most *χN* (dotted); it jumps where the hoop turns back."
+        } else {
+            ""
+        },
         if spikes.impulses.is_empty() {
             ""
         } else {
@@ -241,7 +278,13 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "energy";
     let motion = input.motion(NAME)?;
     let sheet = input.sheet(WIDTH)?;
-    let (energies, keys) = energy_panel(&motion);
+    let (energies, mut keys) = energy_panel(&motion);
+    let parts = lost_parts(&motion);
+    for (_, mark, words) in &parts {
+        // Drops of the energy have the key of what is lost in impacts.
+        keys.retain(|(_, own)| own != words);
+        keys.push((*mark, (*words).to_owned()));
+    }
     let caption = format!(
         "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
          against time, and below what has been lost; dashed verticals: transitions. {}. {}.",
@@ -253,14 +296,14 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         title: "Energy of a motion",
         caption,
         keys,
-        contents: vec![energies, lost_panel(&motion)],
+        contents: vec![energies, lost_panel(&motion, &parts)],
         height: &|i| sheet.height([340.0, 150.0][i]),
     };
     Ok(motion.figure(&sheet, timeline))
 }
 
-/// What has been lost since the start, on an axis of its own.
-fn lost_panel(motion: &Shown) -> Content {
+/// What has been lost since the start in all, by the place of each instant.
+fn lost_in_all(motion: &Shown) -> Vec<[f64; 2]> {
     let drop = |transition: Option<&Transition>| {
         transition
             .and_then(|it| it.impact)
@@ -274,10 +317,50 @@ fn lost_panel(motion: &Shown) -> Content {
         let begin = phase.first().energy;
         let samples = motion.instants(phase).into_iter();
         rows.extend(samples.map(|it| [it.state.time, before + begin - it.energy]));
+        // Of a phase that is cut not all is lost yet.
+        if phase.end_time() > until {
+            break;
+        }
         before += phase.energy_lost() + drop(motion.end_of(phase));
-        rows.push([phase.end_time().min(until), before]);
+        rows.push([phase.end_time(), before]);
     }
     rows.retain(|row| row[0] <= until && row[1].is_finite());
+    rows
+}
+
+/// The parts of what has been lost, of a motion with rolling resistance, with what they mean: those
+/// that there are.
+fn lost_parts(motion: &Shown) -> Vec<(Series, Mark, &'static str)> {
+    if motion.hoop().rolling_resistance() == 0.0 {
+        return Vec::new();
+    }
+    let Some(ledger) = EnergyLedger::new(motion) else {
+        return Vec::new();
+    };
+    let phases = motion.phases().iter();
+    let samples: Vec<Sample> = phases.flat_map(|phase| motion.instants(phase)).collect();
+    let parts: Vec<(f64, EnergyParts)> = samples
+        .iter()
+        .filter_map(|sample| Some((sample.state.time, ledger.parts(sample)?)))
+        .collect();
+    let lost = [
+        (EnergyPart::RollingResistance, Dash::Dashed),
+        (EnergyPart::Friction, Dash::DashDot),
+        (EnergyPart::Impacts, Dash::Dotted),
+    ];
+    let series = lost.map(|(part, dash)| {
+        let rows = parts.iter().map(|(time, parts)| [*time, part.of(parts)]);
+        let stroke = Stroke::solid(part.colour(THEME), CURVE).dashed(dash);
+        let series = Series::of_rows(part.name(), &[TIME, LOST], rows);
+        (series, Mark::Line(stroke), part.label())
+    });
+    let is_there = |it: &(Series, Mark, &str)| it.0.rows().any(|row| row[1] != 0.0);
+    series.into_iter().filter(is_there).collect()
+}
+
+/// What has been lost since the start, on an axis of its own.
+fn lost_panel(motion: &Shown, parts: &[(Series, Mark, &'static str)]) -> Content {
+    let rows = lost_in_all(motion);
     let most = rows.iter().map(|row| row[1]).fold(0.0, f64::max);
     let size = motion
         .phases()
@@ -294,28 +377,45 @@ fn lost_panel(motion: &Shown) -> Content {
         .axis(LOST, "*E*_{0} − *E*", [-0.08 * most, most].into());
     let mut layers = motion.ground(&y, LOST);
     layers.push(Series::of_rows("lost", &[TIME, LOST], rows).drawn(Stroke::solid(INK, CURVE)));
+    let parts = parts.iter();
+    layers.extend(parts.map(|(series, mark, _)| series.clone().drawn(*mark)));
     motion.panel("energy lost", y, layers, Vec::new())
 }
 
 /// What has cost energy.
 fn losses(motion: &Shown) -> String {
     let energy = |value: f64| motion.say.quantity(value, Dimension::Energy);
+    let resists = motion.hoop().rolling_resistance() > 0.0;
     if !motion.goes_on() {
-        let all = energy(motion.energy_lost());
-        return format!("Only sliding dissipates energy, {all} in all");
+        let resistance = motion.rolling_resistance_energy_lost();
+        let sliding = energy(motion.energy_lost() - resistance);
+        return if resists {
+            format!(
+                "Rolling resistance takes {}, sliding {sliding} in all",
+                energy(resistance)
+            )
+        } else {
+            format!("Only sliding dissipates energy, {sliding} in all")
+        };
     }
     let in_impacts: f64 = impacts::all(motion)
         .filter(|(transition, _)| transition.time() <= motion.until)
         .map(|(_, impact)| impact.energy_lost())
         .sum();
-    let phases = motion.phases().iter();
-    let sliding: f64 = phases
-        .filter(|phase| phase.start().time < motion.until)
-        .map(Phase::energy_lost)
-        .sum();
+    let phases = || {
+        let phases = motion.phases().iter();
+        phases.filter(|phase| phase.start().time < motion.until)
+    };
+    let resistance: f64 = phases().map(Phase::rolling_resistance_energy_lost).sum();
+    let lost: f64 = phases().map(Phase::energy_lost).sum();
+    let resisted = if resists {
+        format!(", rolling resistance {}", energy(resistance))
+    } else {
+        String::new()
+    };
     format!(
-        "Sliding costs {}, the impacts {}",
-        energy(sliding),
+        "Sliding costs {}{resisted}, the impacts {}",
+        energy(lost - resistance),
         energy(in_impacts)
     )
 }

@@ -1,6 +1,6 @@
 //! Routh's diagram of an impact: its course in the plane of the impulses J and P.
 
-use littlewood::impact::{Compliance, Impact, ImpactCase, ImpactVertex};
+use littlewood::impact::{Compliance, ContactVelocities, Impact, ImpactVertex};
 use littlewood::tables::Dimension;
 use littlewood::theory::Window;
 use littlewood::{Hoop, Mode, Restitution, RestitutionLaw, State, Transition};
@@ -34,7 +34,7 @@ struct Diagram {
     impact: Impact,
     compliance: Compliance,
     /// Where the course bends, with its ends.
-    course: Vec<[f64; 2]>,
+    vertices: Vec<ImpactVertex>,
     greatest_compression: Option<[f64; 2]>,
     window: Window,
 }
@@ -43,11 +43,10 @@ impl Diagram {
     fn new(hoop: Hoop, restitution: Restitution, theta: f64, impact: Impact) -> Option<Self> {
         let compliance = hoop.compliance(theta)?;
         let vertices = hoop.impact_course(theta, &impact);
-        let course: Vec<[f64; 2]> = vertices.iter().map(point).collect();
         let top = MARGIN * impact.impulse.normal;
-        let side = course
+        let side = vertices
             .iter()
-            .map(|[friction, _]| MARGIN * friction.abs())
+            .map(|vertex| MARGIN * vertex.impulse.friction.abs())
             .fold(0.0, f64::max);
         let side = side
             .max(top * hoop.mu_s().max(hoop.mu_k()))
@@ -57,8 +56,8 @@ impl Diagram {
             restitution,
             impact,
             compliance,
-            course,
             greatest_compression: greatest_compression(&vertices),
+            vertices,
             window: Window {
                 x: [-side, side],
                 y: [0.0, top],
@@ -66,29 +65,127 @@ impl Diagram {
         })
     }
 
-    /// The straight lines, each with its style. With rolling resistance the couple bends them.
-    fn lines(&self) -> Vec<(ImpulseLine, Line)> {
-        if self.hoop.rolling_resistance() > 0.0 {
-            return Vec::new();
-        }
+    fn resists(&self) -> bool {
+        self.hoop.rolling_resistance() > 0.0
+    }
+
+    /// The stretches of the course between which the couple of rolling resistance changes, that is
+    /// where a rotation ends; without resistance all of it.
+    fn regimes(&self) -> Vec<Regime> {
         let Compliance { a, b, c, .. } = self.compliance;
-        let before = self.impact.before;
-        let line = |friction, normal, constant| Line {
-            friction,
-            normal,
-            constant,
-        };
-        let end = match self.restitution.law() {
-            RestitutionLaw::Energetic | RestitutionLaw::Newton => {
-                line(b, c, before.gap_rate - self.impact.after.gap_rate)
+        let [_, top] = self.window.y;
+        let mut regimes: Vec<Regime> = Vec::new();
+        if !self.resists() {
+            regimes.extend(self.vertices.first().map(|&start| Regime {
+                start,
+                turns: 0.0,
+                to: top,
+                slip: Response {
+                    friction: a,
+                    normal: b,
+                },
+                gap: Response {
+                    friction: b,
+                    normal: c,
+                },
+            }));
+        }
+        for piece in self.vertices.windows(2).filter(|_| self.resists()) {
+            let (start, end) = (piece[0], piece[1]);
+            let turns = sign(start.velocities.theta_rate + end.velocities.theta_rate);
+            let [from, to] = [start, end].map(|vertex| vertex.impulse.normal);
+            let friction = end.impulse.friction - start.impulse.friction;
+            let by_normal =
+                |change: f64, by_friction: f64| (change - by_friction * friction) / (to - from);
+            let opened = end.velocities.gap_rate - start.velocities.gap_rate;
+            let slipped = end.velocities.slip - start.velocities.slip;
+            // What holds the angle leaves the mass, and each impulse its own direction.
+            let lightness = by_normal(opened, 0.0);
+            let (slip, gap) = if turns == 0.0 {
+                (
+                    Response {
+                        friction: lightness,
+                        normal: 0.0,
+                    },
+                    Response {
+                        friction: 0.0,
+                        normal: lightness,
+                    },
+                )
+            } else {
+                (
+                    Response {
+                        friction: a,
+                        normal: by_normal(slipped, a),
+                    },
+                    Response {
+                        friction: b,
+                        normal: by_normal(opened, b),
+                    },
+                )
+            };
+            match regimes.last_mut() {
+                Some(last) if last.turns == turns => last.to = to,
+                _ => regimes.push(Regime {
+                    start,
+                    turns,
+                    to,
+                    slip,
+                    gap,
+                }),
             }
-            RestitutionLaw::Poisson => line(0.0, 1.0, -self.impact.impulse.normal),
-        };
-        vec![
-            (ImpulseLine::Sticking, line(a, b, before.slip)),
-            (ImpulseLine::Compression, line(b, c, before.gap_rate)),
-            (ImpulseLine::Termination, end),
-        ]
+        }
+        if let Some(last) = regimes.last_mut() {
+            last.to = top;
+        }
+        regimes
+    }
+
+    /// The straight lines, each with its style. With rolling resistance each is that of the
+    /// rotation which the course has at the same normal impulse.
+    fn lines(&self) -> Vec<(ImpulseLine, [[f64; 2]; 2])> {
+        let regimes = self.regimes();
+        let mut lines = Vec::new();
+        for (i, regime) in regimes.iter().enumerate() {
+            let ImpactVertex {
+                impulse: from,
+                velocities,
+                ..
+            } = regime.start;
+            let line = |response: Response, value: f64| Line {
+                friction: response.friction,
+                normal: response.normal,
+                constant: value - response.friction * from.friction - response.normal * from.normal,
+            };
+            let end = match self.restitution.law() {
+                RestitutionLaw::Energetic | RestitutionLaw::Newton => {
+                    line(regime.gap, velocities.gap_rate - self.impact.after.gap_rate)
+                }
+                RestitutionLaw::Poisson => Line {
+                    friction: 0.0,
+                    normal: 1.0,
+                    constant: -self.impact.impulse.normal,
+                },
+            };
+            let window = Window {
+                x: self.window.x,
+                y: [from.normal, regime.to],
+            };
+            let last = i + 1 == regimes.len();
+            for (style, line) in [
+                (ImpulseLine::Sticking, line(regime.slip, velocities.slip)),
+                (
+                    ImpulseLine::Compression,
+                    line(regime.gap, velocities.gap_rate),
+                ),
+                (ImpulseLine::Termination, end),
+            ] {
+                if last || style != ImpulseLine::Termination {
+                    lines.extend(line.within(window).map(|ends| (style, ends)));
+                }
+            }
+        }
+        lines
     }
 
     /// The friction cones, each as one line from side to side.
@@ -103,23 +200,23 @@ impl Diagram {
         cones
     }
 
-    /// The parts of the course, each with what the contact point does.
-    fn parts(&self) -> Vec<(Mode, &[[f64; 2]])> {
-        let last = match self.impact.case {
-            ImpactCase::Slides
-            | ImpactCase::ReversesInCompression
-            | ImpactCase::ReversesInRestitution => Mode::Sliding,
-            _ => Mode::Rolling,
+    /// The parts of the course, each with the mode of contact in it.
+    fn parts(&self) -> Vec<(Mode, [[f64; 2]; 2])> {
+        let holds = |rate: fn(&ContactVelocities) -> f64, ends: &[ImpactVertex]| {
+            ends.iter().all(|vertex| rate(&vertex.velocities) == 0.0)
         };
-        let count = self.course.len().saturating_sub(1);
-        self.course
-            .windows(2)
-            .enumerate()
-            .map(|(i, ends)| {
-                let mode = if i + 1 == count { last } else { Mode::Sliding };
-                (mode, ends)
-            })
-            .collect()
+        let parts = self.vertices.windows(2).map(|ends| {
+            let sticks = holds(|velocities| velocities.slip, ends);
+            let still = self.resists() && holds(|velocities| velocities.theta_rate, ends);
+            let mode = match (sticks, still) {
+                (false, false) => Mode::Sliding,
+                (true, false) => Mode::Rolling,
+                (false, true) => Mode::Skidding,
+                (true, true) => Mode::Rest,
+            };
+            (mode, [0, 1].map(|end| point(&ends[end])))
+        });
+        parts.collect()
     }
 
     fn layers(&self) -> Vec<Layer> {
@@ -132,8 +229,8 @@ impl Diagram {
             .iter()
             .map(|(line, points)| drawn(*line, points))
             .collect();
-        for (style, line) in self.lines() {
-            layers.extend(line.within(self.window).map(|ends| drawn(style, &ends)));
+        for (style, ends) in self.lines() {
+            layers.push(drawn(style, &ends));
         }
         let parts = self.parts();
         for (i, (mode, rows)) in parts.iter().enumerate() {
@@ -150,8 +247,14 @@ impl Diagram {
         let dot = |name: &str, at: [f64; 2], mark: Mark| {
             Series::of_rows(name, &COLUMNS, [at]).drawn(mark)
         };
-        if let [_, bend, _] = self.course[..] {
-            layers.push(dot("slip ends", bend, Mark::Dot(INK, 3.4)));
+        for ends in self.vertices.windows(2).take(parts.len().saturating_sub(1)) {
+            let slips = |vertex: &ImpactVertex| vertex.velocities.slip != 0.0;
+            let name = if slips(&ends[0]) && !slips(&ends[1]) || !self.resists() {
+                "slip ends"
+            } else {
+                "rotation ends"
+            };
+            layers.push(dot(name, point(&ends[1]), Mark::Dot(INK, 3.4)));
         }
         layers.extend(
             self.greatest_compression
@@ -161,16 +264,31 @@ impl Diagram {
         layers
     }
 
+    /// Of each style the line that is longest in the picture.
+    fn longest_lines(&self) -> Vec<(ImpulseLine, [[f64; 2]; 2])> {
+        let [left, right] = self.window.x;
+        let [_, top] = self.window.y;
+        let length = |[from, to]: &[[f64; 2]; 2]| {
+            libm::hypot((to[0] - from[0]) / (right - left), (to[1] - from[1]) / top)
+        };
+        let mut longest: Vec<(ImpulseLine, [[f64; 2]; 2])> = Vec::new();
+        for (style, ends) in self.lines() {
+            match longest.iter_mut().find(|(other, _)| *other == style) {
+                Some((_, other)) if length(other) < length(&ends) => *other = ends,
+                Some(_) => {}
+                None => longest.push((style, ends)),
+            }
+        }
+        longest
+    }
+
     /// "u = 0" and so on: at the top of the line without slip, which is steep, and at the side of
     /// the others that is away from the course.
     fn labels(&self) -> Vec<Label> {
         let mut taken: Vec<f64> = Vec::new();
         let least = LEAST_PLACE * self.window.y[1];
         let mut labels = Vec::new();
-        for (style, line) in self.lines() {
-            let Some(mut ends) = line.within(self.window) else {
-                continue;
-            };
+        for (style, mut ends) in self.longest_lines() {
             ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
             let [left, right] = ends;
             let ends = Ends { left, right };
@@ -248,7 +366,13 @@ impl Diagram {
 
     fn keys(&self) -> Entries {
         let parts = self.parts();
-        let mut keys: Entries = [(Mode::Sliding, "it slips"), (Mode::Rolling, "it sticks")]
+        let modes = [
+            (Mode::Sliding, "it slips"),
+            (Mode::Rolling, "it sticks"),
+            (Mode::Skidding, "it slips, without rotation"),
+            (Mode::Rest, "it sticks, without rotation"),
+        ];
+        let mut keys: Entries = modes
             .into_iter()
             .filter(|(mode, _)| parts.iter().any(|(other, _)| other == mode))
             .map(|(mode, words)| (Stroke::of_mode(mode).wide(BOLD).into(), words.to_owned()))
@@ -256,7 +380,7 @@ impl Diagram {
         let mut line = |line: ImpulseLine, words: &str| {
             keys.push((Stroke::of_impulse_line(line).into(), words.to_owned()));
         };
-        for (style, _) in self.lines() {
+        for (style, _) in self.longest_lines() {
             match style {
                 ImpulseLine::Sticking => line(style, "*u* = 0: without slip"),
                 ImpulseLine::Compression => line(style, "*w* = 0: greatest compression"),
@@ -285,6 +409,27 @@ impl Diagram {
             RestitutionLaw::Newton => "end: *w* is −*e* times that before",
         }
     }
+}
+
+/// How a velocity answers to the impulses J and P; with rolling resistance P brings its couple.
+#[derive(Clone, Copy)]
+struct Response {
+    friction: f64,
+    normal: f64,
+}
+
+/// A stretch of the course with one sign of θ′, or none.
+struct Regime {
+    start: ImpactVertex,
+    turns: f64,
+    /// The normal impulse up to which it goes.
+    to: f64,
+    slip: Response,
+    gap: Response,
+}
+
+fn sign(value: f64) -> f64 {
+    if value == 0.0 { 0.0 } else { value.signum() }
 }
 
 /// J and P.
@@ -393,7 +538,10 @@ fn caption(input: &FigureInput, state: State, impact: &Impact, compliance: Compl
         None => short(value),
     });
     let laws = if input.hoop.rolling_resistance() > 0.0 {
-        ", with the slip velocity *u* and the rate *w* of the gap; a couple acts, too:".to_owned()
+        ", with the slip velocity *u* and the rate *w* of the gap. The couple of rolling resistance \
+         changes where the rotation ends, and with it the lines: each is that of the rotation which \
+         the course has at the same *P*;"
+            .to_owned()
     } else {
         format!(
             ", with the slip velocity *u* = *u*_{{0}} + *AJ* + *BP* and the rate of the gap *w* = *w*_{{0}} + \

@@ -52,14 +52,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let portrait = Portrait::new(&input.hoop, portrait_window(&input.hoop));
     let window = portrait.window;
     let mut layers = vec![portrait.unloaded().drawn(Mark::Hatch(HATCH))];
-    for energy in portrait.energies(3, 6) {
-        layers.push(portrait.orbit(energy).drawn(Curve::Level));
-    }
-    layers.push(
-        portrait
-            .separatrix()
-            .drawn(Stroke::of_curve(Curve::Separatrix).wide(1.2)),
-    );
+    layers.extend(portrait.orbits(&portrait.choose(3, 6), 1.2));
     let (mut keys, mut loci) = (Vec::new(), Vec::new());
     for (mu_s, dash) in COEFFICIENTS {
         let mark = Mark::Line(Stroke::of_curve(Curve::SlipLimit).wide(CURVE).dashed(dash));
@@ -90,11 +83,16 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(unloading.drawn(mark));
     layers.extend(portrait.equilibria());
     let say = input.wording();
+    let orbits = if portrait.resists() {
+        "Grey: orbits, which lose energy to rolling resistance, above *θ*′ = 0 to the right and below it to the left, and end in the \
+         band of rest (thick); black: the orbits to its far edge about the top."
+    } else {
+        "Grey: orbits of constant energy; black: the separatrix; ring and dot: unstable and stable equilibrium."
+    };
     let caption = format!(
         "Where static friction gives way in rolling: loci |*F*| = *μ*_{{s}}*N* (2.13) for four coefficients. As \
          *μ*_{{s}} grows{} they approach the locus *n*, *N* = 0; beyond it (hatched) rolling would need *N* \
-         < 0. Grey: orbits of constant energy; black: the separatrix; ring and dot: unstable and stable \
-         equilibrium. The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
+         < 0. {orbits} The closed loops of small *μ*_{{s}} enclose starts that slip although the hoop is nearly at \
          rest.{} {}.",
         if arrow.is_some() { " (arrow)" } else { "" },
         portrait.remark(),

@@ -7,7 +7,7 @@ use littlewood::theory::Window;
 use littlewood::{Sample, State};
 use littlewood_draw::{
     Entries, Figure, HATCH, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, START, Series,
-    Stroke, TRANSITION, lift_off_condition,
+    Stroke, TRANSITION, key_of_curve, lift_off_condition,
 };
 use littlewood_style::Curve;
 use littlewood_style::width::{BOLD, CURVE, FINE};
@@ -17,7 +17,7 @@ use crate::columns::{THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::{Shown, bounds};
-use crate::plane::Portrait;
+use crate::plane::{Orbits, Portrait};
 
 const NAME: &str = "phase-path";
 const COLUMNS: [&str; 3] = [TIME, THETA, THETA_RATE];
@@ -87,15 +87,13 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Entri
     if !input.is_massless() {
         layers.push(portrait.unloaded().drawn(Mark::Hatch(HATCH)));
     }
-    if !(input.is_massless() && input.hoop.offset() == 1.0) {
-        let orbit = |energy| portrait.orbit(energy).drawn(Curve::Level);
-        layers.extend(portrait.energies(2, 4).into_iter().map(orbit));
-    }
-    layers.push(
-        portrait
-            .separatrix()
-            .drawn(Stroke::of_curve(Curve::Separatrix).wide(FINE)),
-    );
+    let is_rim = input.is_massless() && input.hoop.offset() == 1.0;
+    let orbits = if is_rim && !portrait.resists() {
+        Orbits::Levels(Vec::new())
+    } else {
+        portrait.choose(2, 4)
+    };
+    layers.extend(portrait.orbits(&orbits, FINE));
     let slip = if input.is_massless() {
         portrait.massless_limit().map(|(_, series)| series)
     } else {
@@ -122,6 +120,9 @@ fn ground(portrait: &Portrait, input: &FigureInput) -> Result<(Vec<Layer>, Entri
         let mark = Mark::Line(Stroke::of_curve(curve).wide(CURVE));
         layers.push(series.drawn(mark));
         keys.push((mark, words));
+    }
+    if portrait.band_of_rest().is_some() {
+        keys.push(key_of_curve(Curve::BandOfRest, input.hoop.slope()));
     }
     layers.extend(portrait.equilibria());
     Ok((layers, keys))
@@ -196,10 +197,20 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.extend(dots);
     let start = row_of(&motion.start(), turns);
     layers.push(Series::of_rows("start", &COLUMNS, [start]).drawn(START));
+    let (orbits, rest) = if portrait.resists() {
+        (
+            "an orbit (grey), along which rolling resistance takes energy",
+            "thick: band of rest",
+        )
+    } else {
+        (
+            "an orbit, a line of constant energy (grey)",
+            "dots and rings: stable and unstable equilibria",
+        )
+    };
     let caption = format!(
-        "The motion in the plane of rolling. In 𝓡 (shaded) rolling follows an orbit, a line of constant energy (grey). Sliding and \
-         flight, which have *η*′ ≠ 0, are projected onto this plane. Cross: start; diamonds: transitions; arrows: time; dots and \
-         rings: stable and unstable equilibria.{} {}.",
+        "The motion in the plane of rolling. In 𝓡 (shaded) rolling follows {orbits}. Sliding and \
+         flight, which have *η*′ ≠ 0, are projected onto this plane. Cross: start; diamonds: transitions; arrows: time; {rest}.{} {}.",
         portrait.remark(),
         input.in_words()
     );

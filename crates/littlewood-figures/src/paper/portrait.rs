@@ -4,15 +4,16 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use littlewood::theory::Window;
 use littlewood_draw::{
-    FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, NORMAL_FORCE, Point, REGION,
-    SMALL, Series, lift_off_condition, short,
+    Entries, FAINT, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, NORMAL_FORCE, Point,
+    REGION, SMALL, Series, key_of_curve, lift_off_condition, short,
 };
 use littlewood_style::Curve;
+use littlewood_style::width::CURVE;
 
 use crate::axes::portrait_window;
 use crate::error::FigureError;
 use crate::input::FigureInput;
-use crate::plane::{Portrait, mirrored};
+use crate::plane::{Orbits, Portrait, mirrored};
 
 /// The names of the curves and of 𝓡.
 fn names(portrait: &Portrait, slip: &Series, unloading: &Series, lift_off: &Series) -> Vec<Label> {
@@ -33,18 +34,48 @@ fn names(portrait: &Portrait, slip: &Series, unloading: &Series, lift_off: &Seri
     labels
 }
 
+/// What a caption says of the orbits, and of where the hoop is at rest.
+fn orbits_in_words(portrait: &Portrait) -> String {
+    let on_top = if portrait.hoop.slope() == 0.0 {
+        ", the particle on top"
+    } else {
+        ""
+    };
+    if !portrait.resists() {
+        return format!(
+            "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium{on_top}, \
+             with its separatrix (black). Dot: stable equilibrium."
+        );
+    }
+    if portrait.band_of_rest().is_none() {
+        return "Phase portrait of rolling with rolling resistance, which takes energy along all orbits (grey). It holds the hoop nowhere."
+            .to_owned();
+    }
+    "Phase portrait of rolling with rolling resistance: orbits (grey) lose energy, each is shown to its second turning point, and end in \
+     the band of rest (thick), where the resistance holds the hoop against its weight. Black: the orbits that come to the far edge of \
+     the band about the top, and those that leave it there."
+        .to_owned()
+}
+
+/// Keys of what the caption of a hoop without rolling resistance need not name.
+fn keys_of(portrait: &Portrait) -> Entries {
+    let band = portrait.band_of_rest().into_iter();
+    band.map(|_| key_of_curve(Curve::BandOfRest, portrait.hoop.slope()))
+        .collect()
+}
+
 /// Figure 2(b).
 pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "figure-2b";
     input.with_inertia(NAME)?;
     let hoop = &input.hoop;
     let portrait = Portrait::new(hoop, portrait_window(hoop));
-    let energies = portrait.energies(3, 6);
+    let orbits = portrait.choose(3, 6);
     let mut layers = vec![
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         portrait.unloaded().drawn(Mark::Hatch(HATCH)),
     ];
-    layers.extend(portrait.orbits(&energies));
+    layers.extend(portrait.orbits(&orbits, CURVE));
     let slip = portrait.slip_locus(hoop.mu_s())?;
     let unloading = portrait.unloading_locus();
     let lift_off = portrait.lift_off_locus();
@@ -57,21 +88,18 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     if chatters {
         layers.push(chatter.drawn(Curve::ReverseChatter));
     }
-    layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
+    layers.push(portrait.flow_of(&orbits, PI).drawn(Mark::Head(FAINT)));
     layers.extend(portrait.separatrix_heads());
-    layers.extend(portrait.equilibria());
+    let equilibria = portrait.equilibria();
+    let keys = keys_of(&portrait);
+    layers.extend(equilibria);
     let say = input.wording();
     let caption = format!(
-        "Phase portrait of rolling (2.10): orbits are lines of constant energy. Ring: unstable equilibrium{}, \
-         with its separatrix (black). Dot: stable equilibrium. On the curves *f* static friction \
+        "{} On the curves *f* static friction \
          gives way, |*F*| = *μ*_{{s}}*N*; on *n* the normal force of rolling vanishes. Shaded: region 𝓡 of (2.14), \
          where the hoop can roll. Hatched: *N* < 0. The paper lets the hoop lose contact there at once; but \
          between *n* and the curve {} it slides.{}{} {}{}.",
-        if hoop.slope() == 0.0 {
-            ", the particle on top"
-        } else {
-            ""
-        },
+        orbits_in_words(&portrait),
         lift_off_condition(hoop.slope()),
         portrait.remark(),
         if chatters {
@@ -88,7 +116,7 @@ pub(crate) fn with_inertia(input: &FigureInput) -> Result<Figure, FigureError> {
     );
     let title = "Figure 2(b): phase portrait of rolling";
     let content = portrait.content("plane", say, layers, labels);
-    input.plane(NAME, title, caption, content, Vec::new())
+    input.plane(NAME, title, caption, content, keys)
 }
 
 /// Where arrows stand on the manifolds, away from the lines n, which they cross at ±π/2.
@@ -99,54 +127,84 @@ const AFTER: f64 = 0.05 * PI;
 
 const FIGURE_4: &str = "figure-4";
 
-/// Figure 4 with the particle inside the rim: the portrait of footnote 7, which has a stable
-/// equilibrium.
-fn massless_inside(input: &FigureInput) -> Result<Figure, FigureError> {
-    let hoop = &input.hoop;
-    let portrait = Portrait::new(hoop, portrait_window(hoop));
-    let window = portrait.window;
-    let energies = portrait.energies(3, 6);
-    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
-    layers.extend(portrait.orbits(&energies));
-    let unloading = portrait.unloading_locus();
+/// The names of the curves and of 𝓡 of a massless hoop.
+fn massless_names(portrait: &Portrait, unloading: &Series, limit: Option<&Series>) -> Vec<Label> {
+    let most = portrait.window.y[1];
     let mut labels = Vec::new();
-    let n = portrait.name_of(&unloading, Point::new(0.3 * PI, 0.7 * window.y[1]), "*n*");
+    let n = portrait.name_of(unloading, Point::new(0.3 * PI, 0.7 * most), "*n*");
     labels.extend(n.map(|n| n.shifted(10.0, -4.0).coloured(NORMAL_FORCE)));
-    let limit = portrait.massless_limit();
-    if let Some((_, series)) = &limit {
+    if let Some(series) = limit {
         // Beside each vertical of half a turn, outside of 𝓡.
         let verticals = series.pieces.iter().filter_map(|piece| piece.first());
         for (row, right) in verticals
-            .filter(|row| (0.0..PI).contains(&row[0]))
+            .filter(|row| (0.0..PI).contains(&row[0]) && row[1] != 0.0)
             .zip([10.0, -10.0])
         {
             let label = Label::new("*f*", &[row[0], 0.7 * row[1]]).shifted(right, 0.0);
             labels.push(label.coloured(FRICTION_FORCE));
         }
     }
-    labels.push(Label::new("𝓡", &[PI, 0.62 * window.y[1]]).sized(20.0));
+    labels.push(Label::new("𝓡", &[portrait.middle(), 0.62 * most]).sized(20.0));
+    labels
+}
+
+/// Figure 4 with the particle inside the rim: the portrait of footnote 7, which has a stable
+/// equilibrium; or with rolling resistance.
+fn massless_beyond(input: &FigureInput, window: Window) -> Result<Figure, FigureError> {
+    let hoop = &input.hoop;
+    let portrait = Portrait::new(hoop, window);
+    let orbits = portrait.choose(3, 6);
+    let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
+    layers.extend(portrait.orbits(&orbits, CURVE));
+    let unloading = portrait.unloading_locus();
+    let limit = portrait.massless_limit().map(|(_, series)| series);
+    let labels = massless_names(&portrait, &unloading, limit.as_ref());
     layers.push(unloading.drawn(Curve::NormalForceZero));
     let always = limit.is_none();
-    layers.extend(limit.map(|(_, series)| series.drawn(Curve::SlipLimit)));
-    layers.push(portrait.flow(&energies, PI).drawn(Mark::Head(FAINT)));
+    layers.extend(limit.map(|series| series.drawn(Curve::SlipLimit)));
+    let middle = portrait.middle();
+    layers.push(portrait.flow_of(&orbits, middle).drawn(Mark::Head(FAINT)));
     layers.extend(portrait.separatrix_heads());
     layers.extend(portrait.equilibria());
     let say = input.wording();
-    let friction = if always {
-        "Static friction always holds, for *μ*_{s} is not less than *ℓ*/√(1 − *ℓ*^{2}); *ℓ* in radii."
+    let friction = match (always, portrait.resists()) {
+        (true, true) => "Static friction always holds.",
+        (true, false) => {
+            "Static friction always holds, for *μ*_{s} is not less than *ℓ*/√(1 − *ℓ*^{2}); *ℓ* in radii."
+        }
+        (false, true) => {
+            "On *f* static friction gives way, |*ℓ* sin *θ* − *ςχ*| = *μ*_{s}(1 + *ℓ* cos *θ*) with the sign *ς* of *θ*′, whatever the rate; *ℓ* in radii."
+        }
+        (false, false) => {
+            "On *f* static friction gives way, |*F*|/*N* = *ℓ* |sin *θ*|/(1 + *ℓ* cos *θ*) = *μ*_{s}, whatever the rate; *ℓ* in radii. \
+             Towards the bottom it holds again."
+        }
+    };
+    let (title, first) = if portrait.resists() {
+        (
+            "Figure 4 with rolling resistance",
+            format!("A massless hoop. {}", orbits_in_words(&portrait)),
+        )
     } else {
-        "On *f* static friction gives way, |*F*|/*N* = *ℓ* |sin *θ*|/(1 + *ℓ* cos *θ*) = *μ*_{s}, whatever the rate; *ℓ* in radii. \
-         Towards the bottom it holds again."
+        (
+            "Figure 4 with the particle inside the rim",
+            "Phase portrait of a rolling massless hoop with the particle inside the rim (footnote 7): lines of constant energy. \
+             Unlike Littlewood's hoop it has a stable equilibrium (dot), about which it can roll for ever."
+                .to_owned(),
+        )
+    };
+    let last = if portrait.resists() {
+        "."
+    } else {
+        "; black: separatrix."
     };
     let caption = format!(
-        "Phase portrait of a rolling massless hoop with the particle inside the rim (footnote 7): lines of constant energy. \
-         Unlike Littlewood's hoop it has a stable equilibrium (dot), about which it can roll for ever. {friction} On *n* \
-         the normal force vanishes. Shaded: 𝓡, where the hoop can roll; black: separatrix. {}.",
+        "{first} {friction} On *n* the normal force vanishes. Shaded: 𝓡, where the hoop can roll{last} {}.",
         say.rolling(hoop)
     );
-    let title = "Figure 4 with the particle inside the rim";
     let content = portrait.content("plane", say, layers, labels);
-    input.plane(FIGURE_4, title, caption, content, Vec::new())
+    let keys = keys_of(&portrait);
+    input.plane(FIGURE_4, title, caption, content, keys)
 }
 
 /// What bounds 𝓡 in Figure 4, and the names.
@@ -201,12 +259,15 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
     input.massless(NAME)?;
     input.level(NAME)?;
     if input.hoop.offset() < 1.0 {
-        return massless_inside(input);
+        return massless_beyond(input, portrait_window(&input.hoop));
     }
     let window = Window {
         x: [-PI, PI],
         y: [-2.0, 2.0],
     };
+    if input.hoop.rolling_resistance() > 0.0 {
+        return massless_beyond(input, window);
+    }
     let portrait = Portrait::new(&input.hoop, window);
     // By (3.2), at the top and at rest.
     let over = RATES.map(|rate| 2.0 * rate * rate + 1.0);
@@ -215,7 +276,8 @@ pub(crate) fn massless(input: &FigureInput) -> Result<Figure, FigureError> {
         portrait.rolling_region().drawn(Mark::Fill(REGION)),
         portrait.unloaded().drawn(Mark::Hatch(HATCH)),
     ];
-    layers.extend(portrait.orbits(&[&over[..], &turning].concat()));
+    let orbits = Orbits::Levels([&over[..], &turning].concat());
+    layers.extend(portrait.orbits(&orbits, CURVE));
     let (bounds, labels) = bounds_of_rolling(&portrait);
     layers.extend(bounds);
     layers.extend(heads(&portrait, &over, &turning));

@@ -241,7 +241,12 @@ fn phase_plane(motion: &Shown) -> Content {
     modes.add_unbounded_end(motion, row);
     let mut layers = vec![portrait.rolling_region().drawn(Mark::Fill(REGION))];
     let bound = |curve| Stroke::of_curve(curve).wide(1.2);
-    layers.push(unloading_lines(theta_s).drawn(bound(Curve::NormalForceZero)));
+    let unloading = if portrait.resists() {
+        portrait.unloading_locus()
+    } else {
+        unloading_lines(theta_s)
+    };
+    layers.push(unloading.drawn(bound(Curve::NormalForceZero)));
     let mut labels = vec![
         Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0),
         Label::new("*n*", &[-0.4 * theta_s, 1.0])
@@ -249,9 +254,15 @@ fn phase_plane(motion: &Shown) -> Content {
             .coloured(NORMAL_FORCE),
     ];
     if let Some((_, limit)) = portrait.massless_limit() {
+        // Beside the middle of the vertical on the left.
+        let verticals = limit.pieces.iter().filter_map(|piece| {
+            let [from, to] = [piece.first()?, piece.last()?];
+            Some([from[0], 0.5 * (from[1] + to[1])])
+        });
+        let left = verticals.min_by(|a, b| a[0].total_cmp(&b[0]));
+        let name = left.map(|at| Label::new("*f*", &at).shifted(-10.0, 0.0));
+        labels.extend(name.map(|name| name.coloured(FRICTION_FORCE)));
         layers.push(limit.drawn(bound(Curve::SlipLimit)));
-        let label = Label::new("*f*", &[-theta_s, 0.0]).shifted(-10.0, 0.0);
-        labels.push(label.coloured(FRICTION_FORCE));
     }
     for (mode, series) in modes.0 {
         let first = series.pieces.first();

@@ -406,11 +406,10 @@ pub fn returns(recurrence: &Recurrence, scale: Scale<'_>) -> String {
 
 /// The motions that are consistent, with the word between them.
 pub fn consistent(candidates: &Candidates, between: &str) -> String {
-    let motions: Vec<String> = candidates
-        .consistent()
-        .map(|(mode, direction)| mode.with_arrow(direction))
-        .collect();
-    motions.join(between)
+    let modes = candidates.consistent();
+    let motions = modes.map(|(mode, direction)| mode.with_arrow(direction));
+    let jam = candidates.jam.map(|_| "a jam".to_owned());
+    Vec::from_iter(motions.chain(jam)).join(between)
 }
 
 /// The margin by which gravity and inertia press the hoop to the plane, in parts of its weight.
@@ -425,9 +424,13 @@ pub const fn contact_margin(hoop: &Hoop) -> &'static str {
 /// What rolling and sliding would need where the motion that follows is not unique.
 pub fn examined(hoop: &Hoop, candidates: &Candidates) -> [String; 2] {
     let [negative, positive] = candidates.solvability.map(brief);
+    let closes = candidates.jam.map_or(String::new(), |denominator| {
+        let denominator = brief(denominator);
+        format!(", and D_χ = {denominator} < 0, so that pressing closes the gap")
+    });
     [
         format!(
-            "rolling would need N = {}, F = {}, and has {} = {}",
+            "rolling would need N = {}, F = {}, and has {} = {}{closes}",
             brief(candidates.rolling_forces.normal),
             brief(candidates.rolling_forces.friction),
             contact_margin(hoop),

@@ -38,7 +38,8 @@ impl Picture {
         Ok(())
     }
 
-    /// The curves f, n, that of lift-off and those of reverse chatter within the map.
+    /// The curves f, n, that of lift-off, those of reverse chatter and the band of rest within the
+    /// map.
     pub(super) fn curves(&self) -> Vec<(Curve, Vec<Place>)> {
         let Ok(hoop) = Hoop::new(self.grid.base().hoop) else {
             return Vec::new();
@@ -66,6 +67,7 @@ impl Picture {
             Curve::NormalForceZero,
             Curve::LiftOff,
             Curve::ReverseChatter,
+            Curve::BandOfRest,
         ]
         .into_iter()
         .flat_map(|curve| {

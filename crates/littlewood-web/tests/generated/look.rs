@@ -7,7 +7,7 @@ use littlewood_style::{
     Accent, Arrow, Curve, Dash, EnergyPart, ImpulseLine, Ink, Rgb, Swatch, Theme, dash_of, of_mode,
     swatches,
 };
-use littlewood_web::hops;
+use littlewood_web::HOP_CLASSES;
 
 use crate::generated::source::{Source, WRITTEN, object, quoted, quoted_or_null};
 
@@ -225,10 +225,10 @@ fn shown(swatch: &Swatch, theme: Theme) -> Rgb {
 
 /// The colours of the classes of landings: one colour, so that its strength, in grey too, tells
 /// more from fewer.
-fn hops(theme: Theme) -> [Rgb; hops::CLASSES] {
+fn hops(theme: Theme) -> [Rgb; HOP_CLASSES] {
     let [least, most] = HOP_OPACITY;
     core::array::from_fn(|class| {
-        let part = class as f64 / (hops::CLASSES - 1) as f64;
+        let part = class as f64 / (HOP_CLASSES - 1) as f64;
         Accent::Violet
             .colour(theme)
             .over(Ink::Paper.colour(theme), least + (most - least) * part)

@@ -3,6 +3,7 @@
 
 use core::f64::consts::{PI, TAU};
 
+use crate::mechanics::ContactForces;
 use crate::mechanics::closed_form::slip_angle;
 use crate::mechanics::region::PhasePlane;
 use crate::model::{Body, RotationDirection, SlipDirection};
@@ -153,9 +154,18 @@ const CELLS: u32 = 480;
 impl PhasePlane {
     /// The graphs ±rate(θ).
     fn graph(&self, window: &Window, rate: &dyn Fn(f64) -> Option<f64>) -> Vec<Vec<Point>> {
+        self.graphs(window, &|theta, _| rate(theta))
+    }
+
+    /// The graphs ±rate(θ) of a rate that depends on the direction.
+    fn graphs(
+        &self,
+        window: &Window,
+        rate: &dyn Fn(f64, RotationDirection) -> Option<f64>,
+    ) -> Vec<Vec<Point>> {
         // Where D = 0, at θ = ±π without inertia, nothing is defined.
         let directions = [RotationDirection::Positive, RotationDirection::Negative];
-        let pieces = |rotation| self.graph_of(window, rotation, rate);
+        let pieces = |rotation| self.graph_of(window, rotation, &|theta| rate(theta, rotation));
         directions.into_iter().flat_map(pieces).collect()
     }
 
@@ -191,15 +201,12 @@ impl PhasePlane {
         found
     }
 
-    /// The curve f, |F| = μs N in rolling. Of a massless hoop, and without friction, it has
-    /// verticals: the angle alone decides.
-    pub fn slip_curve(&self, window: &Window) -> Vec<Vec<Point>> {
-        if !self.is_even() {
-            return Vec::new();
-        }
-        let verticals = match self.hoop.body() {
-            Body::Heavy(_) if self.hoop.mu_s() == 0.0 => vec![0.0, PI],
+    /// The angles at which the curve f is a vertical for rolling one way.
+    fn slip_angles(&self, rotation: RotationDirection) -> Vec<f64> {
+        match self.hoop.body() {
+            Body::Heavy(_) if self.hoop.mu_s() == 0.0 && self.is_even() => vec![0.0, PI],
             Body::Heavy(_) => Vec::new(),
+            Body::Massless(_) if !self.is_even() => self.resisted_slip_angles(rotation),
             Body::Massless(body) => {
                 let limit = slip_angle(&body, self.hoop.mu_s());
                 let angles = limit.map(|limit| {
@@ -213,29 +220,66 @@ impl PhasePlane {
                 });
                 angles.unwrap_or_default()
             }
+        }
+    }
+
+    /// The rates |θ′| between which rolling one way presses on the plane, N ≥ 0.
+    fn pressing(&self, theta: f64, rotation: RotationDirection) -> Option<[f64; 2]> {
+        let [constant, slope] = self.line(theta, rotation)?;
+        let root = self.normal_force_rate_of(theta, rotation);
+        match (constant.normal >= 0.0, root) {
+            (true, Some(root)) if slope.normal < 0.0 => Some([0.0, root]),
+            (true, _) => Some([0.0, f64::INFINITY]),
+            (false, root) => root.map(|root| [root, f64::INFINITY]),
+        }
+    }
+
+    /// The curve f, |F| = μs N in rolling. Of a massless hoop, and without friction, it has
+    /// verticals: the angle alone decides.
+    pub fn slip_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        let vertical = |at: f64, ends: [f64; 2]| {
+            let ends = [window.y[0].max(ends[0]), window.y[1].min(ends[1])];
+            (ends[0] < ends[1]).then(|| ends.map(|rate| [at, rate]).to_vec())
         };
-        let verticals = Self::turned(window, &verticals)
-            .into_iter()
-            .filter_map(|at| {
-                let most = self.normal_force_rate(at).unwrap_or(f64::INFINITY);
-                let ends = [window.y[0].max(-most), window.y[1].min(most)];
-                (ends[0] < ends[1]).then(|| ends.map(|rate| [at, rate]).to_vec())
-            });
+        let directions = [RotationDirection::Positive, RotationDirection::Negative];
+        let mut verticals = Vec::new();
+        for rotation in directions {
+            for at in Self::turned(window, &self.slip_angles(rotation)) {
+                let Some([low, high]) = self.pressing(at, rotation) else {
+                    continue;
+                };
+                verticals.extend(match rotation {
+                    // One line, where it is the same both ways.
+                    RotationDirection::Positive if self.is_even() && low == 0.0 => {
+                        vertical(at, [-high, high])
+                    }
+                    RotationDirection::Negative if self.is_even() && low == 0.0 => None,
+                    RotationDirection::Positive => vertical(at, [low, high]),
+                    RotationDirection::Negative => vertical(at, [-high, -low]),
+                });
+            }
+        }
         let branches = [SlipDirection::Positive, SlipDirection::Negative].into_iter();
-        let branches = branches
-            .flat_map(|direction| self.graph(window, &|theta| self.slip_rate(theta, direction)));
+        // Without friction both are one.
+        let count = if self.hoop.mu_s() == 0.0 && !self.is_even() {
+            1
+        } else {
+            2
+        };
+        let branches = branches.take(count).flat_map(|direction| {
+            self.graphs(window, &|theta, rotation| {
+                self.slip_rate_of(theta, direction, rotation)
+            })
+        });
         branches.chain(verticals).collect()
     }
 
     /// The curve n, N = 0 in rolling.
     pub fn normal_force_curve(&self, window: &Window) -> Vec<Vec<Point>> {
-        if !self.is_even() {
-            return Vec::new();
-        }
-        if matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0)
-            && self.hoop.slope() == 0.0
-        {
-            // N = cos²(θ/2) (1 − θ′²) (3.8).
+        let is_rim = matches!(self.hoop.body(), Body::Massless(body) if body.offset == 1.0)
+            && self.hoop.slope() == 0.0;
+        // N = cos²(θ/2) (1 − θ′²) (3.8), with rolling resistance over Dχ.
+        if is_rim && self.is_even() {
             let lines = [1.0, -1.0]
                 .into_iter()
                 .filter(|rate| (window.y[0]..=window.y[1]).contains(rate));
@@ -243,7 +287,14 @@ impl PhasePlane {
                 .map(|rate| window.x.map(|theta| [theta, rate]).to_vec())
                 .collect();
         }
-        self.graph(window, &|theta| self.normal_force_rate(theta))
+        self.graphs(window, &|theta, rotation| {
+            let rate = self.normal_force_rate_of(theta, rotation);
+            if is_rim {
+                self.line(theta, rotation).map(|_| 1.0)
+            } else {
+                rate
+            }
+        })
     }
 
     /// The curve h cos θ θ′² = cos α beyond which the body leaves the plane; a massless hoop never
@@ -274,6 +325,9 @@ impl PhasePlane {
     /// The separatrix through the unstable equilibrium; without inertia its stable and unstable
     /// manifold.
     pub fn separatrix_curve(&self, window: &Window) -> Vec<Vec<Point>> {
+        if !self.is_even() {
+            return self.resisted_separatrices(window);
+        }
         if self.hoop.slope() != 0.0 {
             return self.graph(window, &|theta| {
                 Some(self.separatrix_rate(theta)).filter(|rate| *rate > 0.0)
@@ -320,9 +374,70 @@ impl PhasePlane {
             .collect()
     }
 
-    /// The rates |θ′| between which static friction holds at an angle, at most `most`.
-    fn holding(&self, theta: f64, most: f64) -> Option<[f64; 2]> {
+    /// The orbit of rolling through a place: of its energy, or, with rolling resistance, from the
+    /// turning point before to the second one after it, or to rest.
+    pub fn orbit(&self, theta: f64, theta_rate: f64, window: &Window) -> Vec<Vec<Point>> {
+        if self.is_even() {
+            let energy = self.law.energy(theta, theta_rate / self.pace);
+            return self.level_curve(self.pace * self.pace * energy, window);
+        }
+        self.resisted_orbit(theta, theta_rate, window)
+    }
+
+    /// Orbits that fill a window, as pieces of all: those from rest at so many angles of each turn,
+    /// and so many that pass a top by equal steps of the rate.
+    pub fn orbits(&self, window: &Window, from_rest: u32, over_top: u32) -> Vec<Vec<Point>> {
+        let angles = (1..=from_rest).map(|i| PI * f64::from(i) / f64::from(from_rest + 1));
+        let rates =
+            (1..=over_top).map(|i| window.y[1] * (f64::from(i) - 0.35) / f64::from(over_top));
+        if self.is_even() {
+            let places = angles
+                .map(|theta| [theta, 0.0])
+                .chain(rates.map(|rate| [0.0, rate]));
+            return places
+                .flat_map(|[theta, rate]| self.orbit(theta, rate, window))
+                .collect();
+        }
+        // An orbit may come in from the turns beside the window.
+        let [from, to] = [window.x[0] - TAU, window.x[1] + TAU];
+        let starts: Vec<f64> = angles.flat_map(|theta| [theta, -theta]).collect();
+        let wide = Window {
+            x: [from, to],
+            ..*window
+        };
+        let at_rest = Self::turned(&wide, &starts)
+            .into_iter()
+            .map(|theta| [theta, 0.0]);
+        let first = TAU * libm::ceil(window.x[0] / TAU);
+        let last = TAU * libm::floor(window.x[1] / TAU);
+        let passing = rates.flat_map(|rate| [[first, rate], [last, -rate]]);
+        at_rest
+            .chain(passing)
+            .flat_map(|[theta, rate]| self.resisted_orbit(theta, rate, window))
+            .collect()
+    }
+
+    /// N and F of a hoop that rolls one way, at the rates 0 and 1.
+    fn forces_of(&self, theta: f64, rotation: RotationDirection) -> Option<[ContactForces; 2]> {
+        if self.is_even() {
+            return Some([self.forces(theta, 0.0), self.forces(theta, 1.0)]);
+        }
+        let weight = self.pace * self.pace;
+        let [constant, slope] = self.line(theta, rotation)?;
+        let at = |u: f64| ContactForces {
+            normal: weight * constant.normal + u * slope.normal,
+            friction: weight * constant.friction + u * slope.friction,
+        };
+        Some([at(0.0), at(1.0)])
+    }
+
+    /// The rates |θ′| between which static friction holds a hoop that rolls one way at an angle, at
+    /// most `most`.
+    fn holding(&self, theta: f64, rotation: RotationDirection, most: f64) -> Option<[f64; 2]> {
         if let Body::Massless(body) = self.hoop.body() {
+            if !self.is_even() {
+                return self.massless_holding(theta, rotation, most);
+            }
             let holds = if body.offset < 1.0 {
                 self.forces(theta, 0.0).demand() <= self.hoop.mu_s()
             } else {
@@ -330,7 +445,7 @@ impl PhasePlane {
                 let turned = theta - TAU * libm::round(theta / TAU);
                 slip_angle(&body, self.hoop.mu_s()).is_none_or(|limit| turned.abs() <= limit)
             };
-            let end = self.normal_force_rate(theta);
+            let end = self.normal_force_rate_of(theta, rotation);
             // Inside the rim N may grow with the rate, towards the bottom.
             let end = if body.offset < 1.0 {
                 Some(end.unwrap_or(most))
@@ -339,7 +454,7 @@ impl PhasePlane {
             };
             return end.filter(|_| holds).map(|rate| [0.0, rate.min(most)]);
         }
-        let (at_rest, at_one) = (self.forces(theta, 0.0), self.forces(theta, 1.0));
+        let [at_rest, at_one] = self.forces_of(theta, rotation)?;
         let (mut low, mut high) = (0.0, most * most);
         // μs N ± F ≥ 0 and N ≥ 0, each linear in θ′².
         for (share, normal) in [
@@ -361,31 +476,53 @@ impl PhasePlane {
         (low <= high).then(|| [low.sqrt(), high.sqrt()])
     }
 
+    /// The same of a massless hoop with rolling resistance, whose F/N does not depend on the rate.
+    fn massless_holding(
+        &self,
+        theta: f64,
+        rotation: RotationDirection,
+        most: f64,
+    ) -> Option<[f64; 2]> {
+        let [ContactForces { normal, friction }, _] = self.line(theta, rotation)?;
+        let [low, high] = self.pressing(theta, rotation)?;
+        let holds = friction.abs() <= self.hoop.mu_s() * normal.abs();
+        (holds && low < most).then(|| [low, high.min(most)])
+    }
+
     /// The region 𝓡 of (2.14) as polygons, in a window that reaches as far down as up.
     pub fn rolling_region(&self, window: &Window) -> Vec<Vec<Point>> {
-        if !self.is_even() {
-            return Vec::new();
-        }
         let most = window.y[1];
-        let top = |theta: f64| self.holding(theta, most).map(|[_, high]| [theta, high]);
+        let directions = [RotationDirection::Positive, RotationDirection::Negative];
+        // Without resistance one way is the mirror image of the other.
+        let count = if self.is_even() { 1 } else { 2 };
         let mut pieces = Vec::new();
-        for upper in window.pieces(window.x, CELLS, &top) {
-            // The lower edge bends where the upper one may be straight.
-            let ends =
-                [upper.first(), upper.last()].map(|end| end.map_or(0.0, |[theta, _]| *theta));
-            let bottom = |theta: f64| Some([theta, self.holding(theta, most)?[0]]);
-            let mut lower = window.pieces(ends, CELLS, &bottom).concat();
-            lower.reverse();
-            let mirrored =
-                |points: &[Point]| points.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
-            if lower.iter().all(|[_, low]| *low == 0.0) {
-                let mut below = mirrored(&upper);
-                below.reverse();
-                pieces.push([upper, below].concat());
-            } else {
-                let above = [upper, lower].concat();
-                pieces.push(mirrored(&above));
-                pieces.push(above);
+        for rotation in directions.into_iter().take(count) {
+            let rates = |theta: f64| self.holding(theta, rotation, most);
+            let top = |theta: f64| rates(theta).map(|[_, high]| [theta, high]);
+            for upper in window.pieces(window.x, CELLS, &top) {
+                // The lower edge bends where the upper one may be straight.
+                let ends =
+                    [upper.first(), upper.last()].map(|end| end.map_or(0.0, |[theta, _]| *theta));
+                let bottom = |theta: f64| Some([theta, rates(theta)?[0]]);
+                let mut lower = window.pieces(ends, CELLS, &bottom).concat();
+                lower.reverse();
+                let mirrored =
+                    |points: &[Point]| points.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
+                if !self.is_even() {
+                    let whole = [upper, lower].concat();
+                    pieces.push(match rotation {
+                        RotationDirection::Positive => whole,
+                        RotationDirection::Negative => mirrored(&whole),
+                    });
+                } else if lower.iter().all(|[_, low]| *low == 0.0) {
+                    let mut below = mirrored(&upper);
+                    below.reverse();
+                    pieces.push([upper, below].concat());
+                } else {
+                    let above = [upper, lower].concat();
+                    pieces.push(mirrored(&above));
+                    pieces.push(above);
+                }
             }
         }
         pieces

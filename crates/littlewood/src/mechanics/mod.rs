@@ -9,6 +9,7 @@ pub(crate) mod impact;
 pub(crate) mod lift_off;
 pub(crate) mod region;
 pub(crate) mod resisted;
+mod resisted_curves;
 mod resisted_impact;
 mod resisted_settling;
 pub(crate) mod reverse_chatter;

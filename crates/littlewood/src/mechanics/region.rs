@@ -6,13 +6,13 @@ use core::f64::consts::{PI, TAU};
 use crate::math::number::Number;
 use crate::math::trig::Angle;
 use crate::mechanics::{ContactForces, HeldLaw, Loads, ResistedRollingLaw, RollingLaw};
-use crate::model::{Body, Hoop, SlipDirection};
+use crate::model::{Body, Hoop, RotationDirection, SlipDirection};
 
 /// The phase plane of the rolling motions of one hoop.
 ///
-/// With rolling resistance rolling one way has other limits than rolling the other, and no energy
-/// integral: the plane then has the forces, 𝓡 at a point and the curves of lift-off and of reverse
-/// chatter, but not those of rolling, no region as an area, and no equilibria.
+/// With rolling resistance rolling one way has other limits than rolling the other, no energy
+/// integral, and a band of rest instead of equilibria. Curves and regions in a window are then those
+/// of each way; a rate that is one function of the angle is that of lift-off only.
 ///
 /// ```
 /// use littlewood::theory::PhasePlane;
@@ -124,19 +124,41 @@ impl PhasePlane {
         forces.normal > 0.0 && forces.friction.abs() <= self.hoop.mu_s() * forces.normal
     }
 
-    /// N and F as linear functions of u = θ′² at an angle: the constants and the slopes.
-    fn line(&self, theta: f64) -> [ContactForces; 2] {
-        let (angle, d) = (theta.angle(), self.law.denominator(theta));
-        [(1.0, 0.0), (0.0, 1.0)]
-            .map(|(gravity, u)| self.law.forces_at(angle, Loads { gravity, u }, d))
+    /// N and F of rolling one way as linear functions of u = θ′² at an angle, in units in which
+    /// gravity normal to the plane is 1: the constants and the slopes. None where pressing would
+    /// close the gap, Dχ ≤ 0.
+    pub(super) fn line(
+        &self,
+        theta: f64,
+        rotation: RotationDirection,
+    ) -> Option<[ContactForces; 2]> {
+        if self.is_even() {
+            let (angle, d) = (theta.angle(), self.law.denominator(theta));
+            let forces = |gravity, u| self.law.forces_at(angle, Loads { gravity, u }, d);
+            return Some([forces(1.0, 0.0), forces(0.0, 1.0)]);
+        }
+        let (angle, law) = (Angle::of(theta), self.resisted_law(rotation));
+        let [constant, at_one] = [0.0, 1.0].map(|u| law.forces(angle, u));
+        let slope = ContactForces {
+            normal: at_one.normal - constant.normal,
+            friction: at_one.friction - constant.friction,
+        };
+        law.presses(angle).then_some([constant, slope])
     }
 
     /// |θ′| on the curve n, N = 0 in rolling; `None` where N ≠ 0 at every rate.
     pub fn normal_force_rate(&self, theta: f64) -> Option<f64> {
-        if !self.is_even() {
-            return None;
-        }
-        let [constant, slope] = self.line(theta);
+        self.is_even()
+            .then(|| self.normal_force_rate_of(theta, RotationDirection::Positive))?
+    }
+
+    /// The same of rolling one way.
+    pub(super) fn normal_force_rate_of(
+        &self,
+        theta: f64,
+        rotation: RotationDirection,
+    ) -> Option<f64> {
+        let [constant, slope] = self.line(theta, rotation)?;
         self.rate_of(-constant.normal / slope.normal)
     }
 
@@ -144,10 +166,21 @@ impl PhasePlane {
     /// where the branch has no point at θ. For a massless hoop f is a vertical line:
     /// [`crate::mechanics::closed_form::slip_angle`].
     pub fn slip_rate(&self, theta: f64, direction: SlipDirection) -> Option<f64> {
-        if matches!(self.hoop.body(), Body::Massless(_)) || !self.is_even() {
+        self.is_even()
+            .then(|| self.slip_rate_of(theta, direction, RotationDirection::Positive))?
+    }
+
+    /// The same of rolling one way.
+    pub(super) fn slip_rate_of(
+        &self,
+        theta: f64,
+        direction: SlipDirection,
+        rotation: RotationDirection,
+    ) -> Option<f64> {
+        if matches!(self.hoop.body(), Body::Massless(_)) {
             return None;
         }
-        let [constant, slope] = self.line(theta);
+        let [constant, slope] = self.line(theta, rotation)?;
         let cone = direction.sign() * self.hoop.mu_s();
         let u =
             -(constant.friction + cone * constant.normal) / (slope.friction + cone * slope.normal);

@@ -12,7 +12,7 @@ use crate::mechanics::{
     slip_acceleration_at_rest,
 };
 use crate::model::{
-    Body, Detail, Dimension, Heavy, Hoop, Massless, Mode, SlipDirection, State, Undecided,
+    Body, Detail, Dimension, Heavy, Hoop, Margin, Massless, Mode, SlipDirection, State, Undecided,
 };
 use crate::modes::{
     Entry, GlideEntry, MasslessLimit, Onset, PhasePoint, RollingLimit, RollingOrbit, StaticLimit,
@@ -41,6 +41,9 @@ pub struct Candidates {
     pub flight: bool,
     /// Gliding is consistent (massless hoop).
     pub gliding: bool,
+    /// Dχ of rolling that is consistent although Dχ < 0, where a jam is consistent, too: pressing
+    /// closes the gap, and the hoop may stop dead ([`Hoop::jam`]).
+    pub jam: Option<f64>,
     /// N and F that rolling would need (2.12).
     pub rolling_forces: ContactForces,
     /// 1 − h cos θ θ′²; negative if the body would leave the plane.
@@ -64,21 +67,26 @@ impl Candidates {
             sliding_positive: false,
             flight: false,
             gliding: false,
+            jam: None,
             rolling_forces,
             contact,
             solvability,
         }
     }
 
-    /// Number of consistent motions.
+    /// Number of consistent motions, a jam among them.
     pub fn count(&self) -> usize {
-        self.consistent().count()
+        self.consistent().count() + usize::from(self.jam.is_some())
     }
 
     /// The deciding quantities with their names in records.
-    pub const fn details(&self) -> [(&'static str, Detail); 5] {
+    pub fn details(&self) -> impl Iterator<Item = (&'static str, Detail)> {
         let [negative, positive] = self.solvability;
-        [
+        let jam = self.jam.map(|denominator| {
+            let name = Margin::ResistedDenominator.name();
+            (name, Detail::Real(denominator, Dimension::Ratio))
+        });
+        let of_all = [
             (
                 "rolling_normal",
                 Detail::Real(self.rolling_forces.normal, Dimension::Force),
@@ -96,7 +104,8 @@ impl Candidates {
                 "solvability_positive",
                 Detail::Real(positive, Dimension::Ratio),
             ),
-        ]
+        ];
+        of_all.into_iter().chain(jam)
     }
 
     /// The consistent motions, with their direction of slip.

@@ -11,10 +11,12 @@ use crate::math::number::Number;
 use crate::math::series::Series;
 use crate::math::trig::Angle;
 use crate::mechanics::region::PhasePlane;
-use crate::mechanics::{HeldLaw, ResistedRollingLaw, SlidingLaw, slip_acceleration_at_rest};
+use crate::mechanics::{
+    Contact, ContactVelocities, HeldLaw, ResistedRollingLaw, SlidingLaw, slip_acceleration_at_rest,
+};
 use crate::model::{
-    Body, Composition, Heavy, Hoop, Margin, Massless, Mode, RotationDirection, SlipDirection,
-    State, Undecided,
+    Body, Composition, Heavy, Hoop, Margin, Massless, Mode, Restitution, RestitutionLaw,
+    RotationDirection, SlipDirection, State, Undecided,
 };
 use crate::modes::{Entry, PhasePoint, RollingLimit, RollingSeries, SlideSeries, TakeOff};
 use crate::walk::candidates::{
@@ -164,8 +166,23 @@ impl Verdict {
 struct Tried {
     motion: ResistedMotion,
     verdict: Verdict,
-    /// Rolling with Dχ < 0: pressing closes the gap, so that a jam is possible, too.
+    /// Rolling with Dχ < 0: pressing closes the gap.
     is_unstable: bool,
+}
+
+/// What is consistent beside the modes that are tried.
+#[derive(Clone, Copy, Debug)]
+struct Others {
+    flight: bool,
+    gliding: bool,
+    /// Dχ < 0 of rolling beside which the hoop may jam.
+    jam: Option<f64>,
+}
+
+impl Others {
+    const fn any(&self) -> bool {
+        self.flight | self.gliding | self.jam.is_some()
+    }
 }
 
 /// A state with bounds of its rounding.
@@ -208,11 +225,16 @@ pub(crate) fn next_motion(
     if matches!(arrival, Arrival::RollingLimit(_)) {
         tried.retain(|one| !one.motion.holds().slip);
     }
-    let (flies, arrives) = (trial.contact.lifts_off, arrival != Arrival::Start);
+    let arrives = arrival != Arrival::Start;
     if arrives {
         keep_held(&mut tried, arrival);
     }
-    trial.selected(body, &tried, flies, arrives)
+    let others = Others {
+        flight: trial.contact.lifts_off,
+        gliding: false,
+        jam: trial.jam(body, &tried),
+    };
+    trial.selected(body, &tried, others, arrives)
 }
 
 /// The motion that begins at a state of a massless hoop: it glides where nothing else is
@@ -232,11 +254,17 @@ pub(crate) fn massless(
     if arrival != Arrival::Start {
         keep_held(&mut tried, arrival);
     }
+    let glide = || glide(hoop, body, state, arrival, None);
     if tried.is_empty() {
-        glide(hoop, body, state, arrival, None)
-    } else {
-        trial.selected(&rigid, &tried, false, true)
+        return glide();
     }
+    // Where pressing closes the gap rolling does not come before a glide, which needs no force.
+    let others = Others {
+        flight: false,
+        gliding: tried.iter().any(|one| one.is_unstable) && glide().mode().is_some(),
+        jam: None,
+    };
+    trial.selected(&rigid, &tried, others, true)
 }
 
 /// A motion that arrives goes on holding what it held.
@@ -310,9 +338,12 @@ impl<'a> Trial<'a> {
             );
         }
         tried.retain(|one| one.verdict != Verdict::Fails);
+        // What is unstable does not go on while it can.
         let is_excluded = |one: &Tried| {
             tried.iter().any(|other| {
-                other.verdict == Verdict::Holds && other.motion.holds().exceeds(one.motion.holds())
+                other.verdict == Verdict::Holds
+                    && !other.is_unstable
+                    && other.motion.holds().exceeds(one.motion.holds())
             })
         };
         tried
@@ -475,13 +506,27 @@ impl<'a> Trial<'a> {
         })
     }
 
+    /// Dχ < 0 of rolling, if a normal impulse closes the gap: the hoop may then also jam.
+    fn jam(&self, body: &Heavy, tried: &[Tried]) -> Option<f64> {
+        let rolling = tried.iter().find(|one| one.is_unstable)?;
+        let rotation = RotationDirection::of_sign(self.state.theta_rate)?;
+        let without_rebound = Restitution {
+            coefficient: 0.0,
+            law: RestitutionLaw::Energetic,
+        };
+        let contact = Contact::new(self.hoop, body, self.state.theta);
+        contact.jam(ContactVelocities::of(self.state, 0.0), without_rebound)?;
+        let law = ResistedRollingLaw::of_body(&self.body, self.resistance(rotation));
+        (rolling.verdict == Verdict::Holds).then(|| law.denominator_of(self.angle).value)
+    }
+
     /// The one motion among those that are possible; with `keeps_contact` flight only where there is
-    /// no other.
+    /// no other that is stable.
     fn selected(
         &self,
         body: &Heavy,
         tried: &[Tried],
-        flies: bool,
+        others: Others,
         keeps_contact: bool,
     ) -> NextMotion {
         let undecided = tried.iter().find_map(|one| match one.verdict {
@@ -492,7 +537,7 @@ impl<'a> Trial<'a> {
             return NextMotion::Undecided(undecided);
         }
         match tried {
-            [] if flies => NextMotion::Fly {
+            [] if others.flight => NextMotion::Fly {
                 body: *body,
                 take_off: if self.contact.grazes {
                     TakeOff::Grazing
@@ -500,16 +545,16 @@ impl<'a> Trial<'a> {
                     TakeOff::Unloaded
                 },
             },
-            [] => NextMotion::None(Box::new(self.candidates(tried))),
-            [one] if !one.is_unstable && (keeps_contact || !flies) => NextMotion::Resisted {
+            [] => NextMotion::None(Box::new(self.candidates(tried, others))),
+            [one] if !others.any() || (keeps_contact && !one.is_unstable) => NextMotion::Resisted {
                 body: *body,
                 motion: one.motion,
             },
-            _ => NextMotion::Several(Box::new(self.candidates(tried))),
+            _ => NextMotion::Several(Box::new(self.candidates(tried, others))),
         }
     }
 
-    fn candidates(&self, tried: &[Tried]) -> Candidates {
+    fn candidates(&self, tried: &[Tried], others: Others) -> Candidates {
         let has = |mode: Mode, direction: Option<SlipDirection>| {
             tried
                 .iter()
@@ -537,7 +582,9 @@ impl<'a> Trial<'a> {
             skidding_positive: has(Mode::Skidding, positive),
             sliding_negative: has(Mode::Sliding, negative),
             sliding_positive: has(Mode::Sliding, positive),
-            flight: self.contact.lifts_off,
+            flight: others.flight,
+            gliding: others.gliding,
+            jam: others.jam,
             ..Candidates::none(forces, self.contact.value, solvability)
         }
     }

@@ -253,9 +253,10 @@ impl Sizes {
         Self::with_angle(hoop, start, f64::EPSILON * start.theta.abs())
     }
 
-    /// Of a motion, whose angle is computed within a turn.
+    /// Of a motion, whose angle is computed within a turn from that of the event before, which is
+    /// rounded as well: a slide may return to exactly the limit of friction at which it began.
     pub(crate) fn of_motion(hoop: &Hoop, state: State) -> Self {
-        let angles = std::f64::consts::PI + state.theta.abs();
+        let angles = std::f64::consts::PI + 2.0 * state.theta.abs();
         Self::with_angle(hoop, &Start::from(state), f64::EPSILON * angles)
     }
 

@@ -1,8 +1,9 @@
 // The question: a push, and what becomes of the hoop.
 
 import { HULA_SECOND } from '../../core/fields';
+import { STILL } from '../../dom';
 import { type Hoop, linkTo, most, motionOf, storyHoop } from '../hoops';
-import { CALM, type Picture } from '../kit';
+import type { Picture } from '../kit';
 import { degrees, fateOf, jumpOf, PUSH, plain } from '../numbers';
 import { fill } from '../rich';
 import { PICTURES } from '../text';
@@ -56,7 +57,7 @@ export function question(picture: Picture): void {
       },
       grabbed: () => player.pause(),
       released: () => {
-        if (!CALM.matches) player.play();
+        if (!STILL.matches) player.play();
       },
       second: HULA_SECOND,
       say: ({ theta, theta_rate }) =>

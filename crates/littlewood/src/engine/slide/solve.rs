@@ -458,11 +458,22 @@ impl<'a> Slide<'a> {
         SegmentResult::to(SegmentEnd::Cut, point)
     }
 
+    /// θ at an end. Over many segments it adds up rounding, which the sine and cosine do not; and the
+    /// jump out of a slide depends on the distance of the lift-off from the top.
+    fn theta_at(&self, end: SegmentEnd, angle: Angle) -> f64 {
+        let theta = self.frame.theta;
+        if end == SegmentEnd::LiftOff && self.segments > INTERVALS {
+            theta + angle.minus(Angle::of(theta)).sin
+        } else {
+            theta
+        }
+    }
+
     fn end(&self, result: &SegmentResult, theta_rate: f64) -> SlideEnd {
         let SegmentResult { end, point, .. } = result;
         let event = SlideEvent {
             elapsed: point.elapsed,
-            theta: self.frame.theta,
+            theta: self.theta_at(*end, point.angle),
             theta_rate,
             slip: if *end == SegmentEnd::Rest {
                 0.0

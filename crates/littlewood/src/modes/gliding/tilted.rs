@@ -4,7 +4,6 @@
 //! expanded about both ends of each piece, in the time from that end: about the bottom and the top
 //! without cancelling terms.
 
-use crate::math::series::shifted;
 use crate::model::SlipDirection;
 
 use super::particle::{Particle, ParticleState, signed_product};
@@ -116,7 +115,13 @@ pub(super) fn slip(particle: &Particle, slip: f64, entry: GlideEntry) -> Slip {
         let is_last = to == end.elapsed;
         let place = if is_last { end } else { particle.place(to) };
         let before = condition(particle, &place, particle.momentum - tilt * to, -1.0);
-        let after = shifted(q, from);
+        // Not the polynomial about the start shifted to here: its terms would cancel.
+        let after = if from == 0.0 {
+            q
+        } else {
+            let place = particle.place(from);
+            condition(particle, &place, particle.momentum - tilt * from, 1.0)
+        };
         let sign = direction.sign() * drift.signum();
         Some(match first_rest((after, before, to - from), sign)? {
             Along::FromBegin(at) => particle.place(from + at),

@@ -6,7 +6,7 @@ use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{Angle, WholeTurns, less_a_turn, split_turns, with_turns};
 use crate::mechanics::{Accelerations, Clearance, ResistedRollingLaw};
 use crate::model::{Heavy, Hoop, MAX_TIME, Mode, RotationDirection, SlipDirection, State};
-use crate::modes::sliding::{MIN_RELATIVE_STEP, convergence_radius, max_step};
+use crate::modes::sliding::{MIN_RELATIVE_STEP, max_step};
 use crate::modes::{Instant, Margin, PhasePoint, Recurrence, RollingLimit, Sample, Undecided};
 
 use super::series::RollingSeries;
@@ -266,19 +266,13 @@ impl ResistedRolling {
 
     /// The series about a point, and the time on which they converge.
     fn series(&self, here: RollingPoint) -> (RollingSeries, f64) {
-        let series = RollingSeries::new(&self.law, here.place, DEGREE);
+        let mut series = RollingSeries::new(&self.law, here.place, DEGREE);
         if self.law.rolling.offset == 0.0 {
             // θ″ is constant and the series finite, so that one step leads to θ′ = 0.
             let [rate, acceleration] = [series.theta_rate[0], series.theta_rate[1]];
             return (series, 1.5 * (rate / acceleration).abs());
         }
-        let all = [
-            &series.theta_rate,
-            &series.normal,
-            &series.demand[1],
-            &series.denominator,
-        ];
-        let reach = convergence_radius(&series.theta_rate, all, max_step(self.steps.len()));
+        let reach = series.convergence_radius(max_step(self.steps.len()));
         (series, reach)
     }
 

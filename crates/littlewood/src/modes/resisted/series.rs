@@ -5,6 +5,7 @@ use crate::math::series::{DEGREE, Series, convolve, value};
 use crate::math::trig::Angle;
 use crate::mechanics::ResistedRollingLaw;
 use crate::modes::PhasePoint;
+use crate::modes::sliding::{convergence_radius, finite_degree};
 
 /// Series of θ, θ′ and of what limits rolling, as those of a slide.
 #[derive(Clone, Copy, Debug)]
@@ -127,6 +128,35 @@ impl<T: Number> RollingSeries<T> {
 }
 
 impl RollingSeries {
+    /// As that of a slide.
+    pub(super) fn convergence_radius(&mut self, max_radius: f64) -> f64 {
+        let degree = finite_degree(self.deciding());
+        if degree < DEGREE {
+            let Self {
+                theta,
+                theta_rate,
+                normal,
+                demand: [first, second],
+                denominator,
+            } = self;
+            for series in [theta, theta_rate, normal, first, second, denominator] {
+                series[degree + 1..].fill(0.0);
+            }
+        }
+        convergence_radius(&self.theta_rate, self.deciding(), degree, max_radius)
+    }
+
+    const fn deciding(&self) -> [&Series; 4] {
+        let Self {
+            theta_rate,
+            normal,
+            demand: [_, friction],
+            denominator,
+            ..
+        } = self;
+        [theta_rate, normal, friction, denominator]
+    }
+
     /// Angle and rate after a time.
     pub(super) fn point(&self, at: f64) -> PhasePoint {
         PhasePoint {

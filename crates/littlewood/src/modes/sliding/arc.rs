@@ -348,10 +348,10 @@ impl Sliding {
         search: &mut LeapSearch,
     ) -> ControlFlow<SlidingEnd, SlidePoint> {
         let Expansion {
-            series,
+            mut series,
             known_roots,
         } = self.expansion(&here, entry);
-        let StepWidth { width, is_last } = self.step_width(&series, here, budget)?;
+        let StepWidth { width, is_last } = self.step_width(&mut series, here, budget)?;
         let step = TaylorStep::new(&here, &series);
         self.steps.push(step);
         if let Some((at, event)) = self.first_event(&series, known_roots, width) {
@@ -431,7 +431,7 @@ impl Sliding {
     /// The width of the step from a point, or the end of a slide that no step continues.
     fn step_width(
         &mut self,
-        series: &SlideSeries,
+        series: &mut SlideSeries,
         here: SlidePoint,
         budget: SlideBudget,
     ) -> ControlFlow<SlidingEnd, StepWidth> {
@@ -439,7 +439,7 @@ impl Sliding {
         let reach = if is_balanced {
             series.straight_step()
         } else {
-            series.convergence_radius(max_step(self.steps.len()))
+            series.convergence_radius(&self.law, max_step(self.steps.len()))
         };
         let is_limited = self
             .leaps
@@ -458,9 +458,7 @@ impl Sliding {
                 value: reach,
                 bound: resolution,
             };
-            // P ≥ Î except where it tends to zero.
-            let is_near_zero = series.painleve[0] < 0.5 * self.law.body.inertia;
-            return ControlFlow::Break(if is_near_zero {
+            return ControlFlow::Break(if series.is_near_singularity(&self.law) {
                 self.singular_end(here, undecided)
             } else {
                 self.unresolved(here, undecided)

@@ -108,7 +108,7 @@ impl TurnCheck {
             let mut series =
                 SlideSeries::new(law, point, point.rate * law.slip_coefficient(sin, cos));
             series.slip[1] += law.mean_slip_loss();
-            let width = series.convergence_radius(f64::INFINITY);
+            let width = series.convergence_radius(law, f64::INFINITY);
             if !(width > 0.0 && width.is_finite())
                 || crossing(&series.contact, width).is_some()
                 || crossing(&series.painleve, width).is_some()
@@ -484,8 +484,8 @@ impl ProvedTurns {
             self.begin(last_of(0.0, self.count, |n| self.time(n) <= time));
         let mut left = time - begin;
         for _ in 0..MAX_STEPS_PER_TURN {
-            let series = SlideSeries::new(law, point, 0.0);
-            let width = series.convergence_radius(f64::INFINITY).min(left);
+            let mut series = SlideSeries::new(law, point, 0.0);
+            let width = series.convergence_radius(law, f64::INFINITY).min(left);
             point = series.point(width);
             left -= width;
             if left <= 0.0 {

@@ -13,8 +13,8 @@ pub use arc::Sliding;
 pub(crate) use arc::{Entry, SlideBudget, SlidingEnd};
 pub(super) use arc::{MIN_RELATIVE_STEP, max_step};
 pub(crate) use onset::{ForceRounding, Onset, StaticLimit};
-pub(super) use series::convergence_radius;
 pub(crate) use series::{PhasePoint, SlideSeries, TRUNCATION_TOLERANCE};
+pub(super) use series::{convergence_radius, finite_degree};
 
 /// The limit that stopped a motion with long slides.
 #[derive(Clone, Copy, Debug, PartialEq)]

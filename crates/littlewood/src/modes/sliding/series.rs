@@ -15,6 +15,9 @@ pub(crate) const TRUNCATION_TOLERANCE: f64 = f64::EPSILON / 4.0;
 /// Maximum of the first steps: the series of a body at rest has no time scale.
 pub(super) const INITIAL_MAX_STEP: f64 = 16.0;
 
+/// Least degree of series whose further coefficients overflow.
+const MIN_DEGREE: usize = 8;
+
 /// A point of the (θ, θ′) plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PhasePoint<T = f64> {
@@ -160,27 +163,62 @@ impl SlideSeries {
         }
     }
 
-    /// Step on which the series converge to rounding; at most `max_radius`.
-    pub(super) fn convergence_radius(&self, max_radius: f64) -> f64 {
-        let all = [&self.theta_rate, &self.slip, &self.contact, &self.painleve];
-        convergence_radius(&self.theta_rate, all, max_radius)
+    /// Step on which the series converge to rounding; at most `max_radius`. Coefficients that overflow
+    /// are dropped, but next to P = 0, where the end is known in closed form.
+    pub(super) fn convergence_radius(&mut self, law: &SlidingLaw, max_radius: f64) -> f64 {
+        let degree = finite_degree(self.deciding());
+        if degree < DEGREE {
+            if self.is_near_singularity(law) {
+                return 0.0;
+            }
+            let Self {
+                theta,
+                theta_rate,
+                slip,
+                contact,
+                painleve,
+            } = self;
+            for series in [theta, theta_rate, slip, contact, painleve] {
+                series[degree + 1..].fill(0.0);
+            }
+        }
+        convergence_radius(&self.theta_rate, self.deciding(), degree, max_radius)
+    }
+
+    const fn deciding(&self) -> [&Series; 4] {
+        [&self.theta_rate, &self.slip, &self.contact, &self.painleve]
+    }
+
+    /// P ≥ Î except where it tends to zero.
+    pub(super) fn is_near_singularity(&self, law: &SlidingLaw) -> bool {
+        self.painleve[0] < 0.5 * law.body.inertia
     }
 }
 
-/// Step on which series converge to rounding, that of θ′ among them, from their last two
+/// The degree up to which the coefficients of all series are finite: they grow like radius^−n, and
+/// overflow where the radius is below some 1e-13.
+pub(in crate::modes) fn finite_degree<const N: usize>(all: [&Series; N]) -> usize {
+    let is_finite = |order: &usize| all.iter().all(|series| series[*order].is_finite());
+    if is_finite(&DEGREE) {
+        return DEGREE;
+    }
+    (0..DEGREE).take_while(is_finite).count().saturating_sub(1)
+}
+
+/// Step on which series of a degree converge to rounding, that of θ′ among them, from their last two
 /// coefficients (À. Jorba and M. Zou, Experimental Mathematics 14, 2005); at most `max_radius`.
 pub(in crate::modes) fn convergence_radius(
     theta_rate: &Series,
     all: [&Series; 4],
+    degree: usize,
     max_radius: f64,
 ) -> f64 {
     let (rate, acceleration) = (theta_rate[0].abs(), theta_rate[1].abs());
     let mut radius = max_radius;
-    if all.iter().any(|series| !series[DEGREE].is_finite()) {
-        // Coefficients grow like radius^−n, so overflow means a radius below 1e-13.
+    if degree < MIN_DEGREE {
         return 0.0;
     }
-    for order in [DEGREE - 1, DEGREE] {
+    for order in [degree - 1, degree] {
         let size = all
             .iter()
             .fold(0.0_f64, |size, series| size.max(series[order].abs()));
