@@ -22,9 +22,10 @@ import littlewood as lw
 from littlewood import video
 from littlewood._commands import fit as fit_command
 from littlewood._commands.fit import MissingAnswerError, WrongClockError, _check_clock, main
-from littlewood.fitting import Doubt
+from littlewood.fitting import Doubt, report
 from littlewood.fitting.fall import fall_of
 from littlewood.fitting.report import report_html
+from littlewood.fitting.shares import shares
 from littlewood.fitting.table_options import PYTHON
 
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
@@ -74,7 +75,7 @@ def test_a_film_becomes_a_report(film, tmp_path, capsys):
     # It holds all that it shows: no other file, no script.
     assert not re.findall(r'(?:src|href)="(?!data:)', page) and "<script" not in page
     pictures = re.findall(r'src="data:image/(jpeg|svg\+xml);base64,([^"]*)"', page)
-    assert [kind for kind, _ in pictures] == ["jpeg", "svg+xml", "svg+xml", "svg+xml"]
+    assert [kind for kind, _ in pictures] == ["jpeg", *["svg+xml"] * 4]
     assert base64.b64decode(pictures[0][1]) == out.with_suffix(".jpg").read_bytes()
     assert "@page { size: A4" in page and "What your hoop would do with more friction" in page
     assert "The fit has no doubts" in page
@@ -154,7 +155,7 @@ def test_a_table_of_a_tracker_makes_the_same_report(motion, tmp_path, capsys):
     value, error = estimates(capsys.readouterr().out)["mu_k"]
     assert abs(value - 0.4) < 4.0 * error < 0.1
     page = (tmp_path / "track-report.html").read_text(encoding="utf-8")
-    assert page.count("<img") == 3 and not (tmp_path / "track-report.jpg").exists()
+    assert page.count("<img") == 4 and not (tmp_path / "track-report.jpg").exists()
 
 
 def refused(capsys, *arguments):
@@ -460,6 +461,37 @@ def test_a_report_with_all_doubts_names_them(motion):
     for doubt in result.doubts:
         assert f"Doubt: {doubt.name}." in page
     assert "A &lt;hoop&gt;" in page and "The fit has no doubts" not in page
+
+
+def test_a_report_says_nothing_by_what_the_motion_does_not_tell():
+    """It multiplied a coefficient of static friction of 11 that no slip had shown."""
+    hoop = lw.Hoop.from_si(**KNOWN, inertia_kg_m2=0.021, mu_s=0.5, mu_k=0.4)
+    slide = hoop.simulate(theta=0.5, theta_rate=0.3, slip=-2.0)
+    assert slide.sequence.startswith("-R+")
+    begins = [one.time for one in slide.transitions]
+    random = np.random.default_rng(1)
+    for part, tells in ((0.5 * (begins[0] + begins[1]), False), (begins[2], True)):
+        time = np.linspace(0.0, part, 150)
+        seen, noise = slide(time), random.normal(0.0, 0.003, (2, time.size))
+        track = lw.Track(time, theta=seen.theta + noise[0], x=seen.x + noise[1])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", lw.fitting.FitWarning)
+            start = {"theta": 0.5, "theta_rate": 0.3, "slip": -2.0}
+            result = lw.fit(track, hoop, slips_at_start=True, start=start, search=False)
+        assert result.estimates["mu_s"].identifiable == tells
+        assert ("half as much friction more" in report._sentence(result)) == tells
+        parts = shares(result)
+        assert set(parts) == {
+            name
+            for name in ("mu_s", "mu_k", "inertia", "rolling_resistance")
+            if result.estimates[name].identifiable
+        }
+        for one in parts.values():
+            assert one.shape == time.shape and one.sum() == pytest.approx(1.0)
+        # Nothing but the slide tells kinetic friction, and what follows where it ends.
+        assert parts["mu_k"][time < 0.1 * begins[0]].sum() > 0.01
+    # What tells static friction is what follows the slip out of rolling.
+    assert parts["mu_s"][time > begins[1]].sum() > 0.5
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium, which prints")

@@ -31,7 +31,8 @@ DOUBTS: Mapping[str, str] = {
     "camera": "the track shows a constant error of the camera that the fit does not estimate",
     "bound": "a free parameter ends at its bound",
     "sequences": "another sequence of phases explains the track nearly as well",
-    "interval": "the normal interval of a parameter is wrong: its likelihood is not a parabola",
+    "interval": "the ± of a parameter is too large or too small on one side at least: the track "
+    "excludes more, or less, than it says",
     "structure": "residuals are not independent: the model, or the camera, is wrong by more than "
     "noise",
     "outliers": "some frames are far from the motion",

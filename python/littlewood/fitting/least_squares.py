@@ -418,12 +418,20 @@ def _wrong_intervals(
                     wrong[name] = found
     if not wrong:
         return []
-    words = ", ".join(f"{name} ({part:.2g})" for name, part in wrong.items())
-    message = (
-        f"the likelihood of {words} is not that of a normal error ({_PROFILED:g} standard errors "
-        f"away it falls by the "
-        "number in brackets times as much): take profile_interval"
-    )
+    narrow = [name for name, part in wrong.items() if part < 1.0]
+    wide = [name for name, part in wrong.items() if part > 1.0]
+    sentences = []
+    if narrow:
+        sentences.append(
+            f"the ± of {', '.join(narrow)} is too small: values further away fit the track nearly "
+            "as well"
+        )
+    if wide:
+        sentences.append(
+            f"the ± of {', '.join(wide)} is too large on one side at least: the track excludes "
+            "values within it"
+        )
+    message = f"{'; '.join(sentences)} (profile_interval has the right ends)"
     return [Doubt("interval", message, tuple(wrong))]
 
 

@@ -12,12 +12,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..plot import canvas, history, outcomes
-from ..style import INK, LINE, MODE_COLOURS, PAPER
+from ..style import FAINT, FINE, INK, LINE, MODE_COLOURS, PAPER
 from ..sweep.many import outcome_map
 from ..tables import QUANTITIES
 from ..trajectory import Trajectory
 from .estimate import Estimate
 from .result import FitResult
+from .shares import shares
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -35,7 +36,13 @@ _GRID = (161, 101)
 # Doubts that are there with their words; of more, the names.
 _DOUBTS = 6
 # Heights of the picture of the track, and of a doubt, inches.
-_HEIGHT, _LEAST_HEIGHT, _DOUBT_HEIGHT = 3.8, 2.4, 0.3
+_HEIGHT, _LEAST_HEIGHT, _DOUBT_HEIGHT = 2.9, 2.1, 0.27
+# Heights of the picture of what says what: of its axis, and of each number.
+_AXIS_HEIGHT, _ROW_HEIGHT = 0.45, 0.19
+# Of forces and of more friction a fit with more doubts says nothing.
+_FEW_DOUBTS = 3
+# So many columns of frames, and a mode is named from this part on.
+_COLUMNS, _NAMED_PART = 60, 0.05
 
 _STYLE = f"""
 body {{ max-width: 190mm; margin: 4mm auto; color: {INK}; background: {PAPER};
@@ -70,11 +77,8 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
         else f'<img class="photo" alt="the film and the fitted motion" src="{_jpeg(photo)}">'
     )
     with canvas.look(25.4 * _WIDTH):
-        fitted, forces, more = (
-            result.plot(with_doubts=False),
-            _forces(result.motion),
-            _more_friction(result.motion),
-        )
+        fitted, told = result.plot(with_doubts=False), _told(result)
+        pictures = _of_forces(result.motion) + _of_friction(result) if _may_say(result) else ""
     # Doubts take the room of the pictures, so that one sheet is enough.
     fitted.set_size_inches(
         _WIDTH, max(_LEAST_HEIGHT, _HEIGHT - _DOUBT_HEIGHT * min(len(result.doubts), _DOUBTS))
@@ -110,18 +114,11 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
 <h2>Track, fitted motion, residuals</h2>
 <img alt="measured and fitted motion over time, and residuals"
   src="{_svg(fitted, "Track, fitted motion, residuals")}">
+{told}
 <div class="beside">
-<div>
-<h2>Forces</h2>
-<img alt="normal force and friction over time" src="{_svg(forces, "Forces of the fitted motion")}">
+{pictures}
 </div>
-<div>
-<h2>What your hoop would do with more friction</h2>
-<img alt="outcomes by friction and rate of the start"
-  src="{_svg(more, "Outcomes with more friction")}">
-</div>
-</div>
-<p>{escape(_sentence(result.motion))}</p>
+<p>{escape(_sentence(result))}</p>
 </body>
 </html>
 """
@@ -130,21 +127,39 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
 def _rows(result: FitResult) -> Iterator[str]:
     for name, estimate in result.estimates.items():
         if name in QUANTITIES:
-            yield _row(QUANTITIES[name].sign, QUANTITIES[name].long_name, estimate)
-    if result.hoop.units is not None and "inertia" in result.estimates:
-        one, unit = result.estimates["inertia"], result.hoop.units.inertia_kg_m2
-        quantity = QUANTITIES["inertia_kg_m2"]
-        si = Estimate(one.value * unit, one.std_error * unit, one.identifiable)
-        yield _row(quantity.sign, f"the same in {quantity.unit_sign}", si)
+            quantity, interval = QUANTITIES[name], _interval(result, name)
+            yield _row(quantity.sign, quantity.long_name, estimate, interval)
+            if name == "inertia" and result.hoop.units is not None:
+                unit, quantity = result.hoop.units.inertia_kg_m2, QUANTITIES["inertia_kg_m2"]
+                si = Estimate(estimate.value * unit, estimate.std_error * unit, True)
+                si = si if estimate.identifiable else estimate
+                low, high = interval
+                meaning = f"the same in {quantity.unit_sign}"
+                yield _row(quantity.sign, meaning, si, (low * unit, high * unit))
 
 
-def _row(sign: str, meaning: str, estimate: Estimate) -> str:
+def _interval(result: FitResult, name: str) -> tuple[float, float]:
+    """Return the interval that is printed: that of the profile where a normal one is wrong.
+
+    It is within the bounds of the parameter.
+    """
+    estimate = result.estimates[name]
     if not estimate.identifiable:
-        value, interval = "not identifiable", ""
+        return estimate.interval()
+    if any(one.name == "interval" and name in one.parameters for one in result.doubts):
+        return result.profile_interval(name)
+    low, high = estimate.interval()
+    least, most = result._problem.limits(name)
+    return max(low, least), min(high, most)
+
+
+def _row(sign: str, meaning: str, estimate: Estimate, ends: tuple[float, float]) -> str:
+    if not estimate.identifiable:
+        value, interval = "this motion does not tell it", ""
     else:
         value = str(estimate)
         digits = len(value.split(" ")[0].partition(".")[2])
-        low, high = estimate.interval()
+        low, high = ends
         interval = f"{low:.{digits}f} to {high:.{digits}f}"
     return (
         f'<tr><td class="number"><i>{escape(sign)}</i></td><td>{escape(meaning)}</td>'
@@ -170,18 +185,93 @@ def _facts(result: FitResult) -> str:
     )
 
 
-def _forces(motion: Trajectory) -> Figure:
-    figure = canvas.sheet(0.5 * _WIDTH, 2.1)
+def _knows(result: FitResult, *names: str) -> bool:
+    """Whether the inertia is known, and other parameters, by the track or because they are held.
+
+    Without it nothing can be said of forces, or of what a hoop would do.
+    """
+    estimates = result.estimates
+    return all(
+        name not in estimates or estimates[name].identifiable for name in ("inertia", *names)
+    )
+
+
+def _may_say(result: FitResult) -> bool:
+    """Whether the fit is good enough for forces and for what more friction would do."""
+    return _knows(result) and len(result.doubts) <= _FEW_DOUBTS
+
+
+def _told(result: FitResult) -> str:
+    """Draw which frames tell each number, in the colours of the phases."""
+    parts = shares(result)
+    if not parts:
+        return ""
+    time, motion = result.track.time, result.motion
+    begins = np.array([phase.start_time for phase in motion.phases])
+    modes = np.array([phase.mode for phase in motion.phases])
+    of_frames = modes[np.maximum(np.searchsorted(begins, time, side="right") - 1, 0)]
+    edges = np.linspace(time[0], time[-1], min(_COLUMNS, time.size) + 1)
+    figure = canvas.sheet(_WIDTH, _AXIS_HEIGHT + _ROW_HEIGHT * len(parts))
+    axes = figure.add_subplot()
+    for row, (name, part) in enumerate(parts.items()):
+        bottom = np.zeros(edges.size - 1)
+        whole, _ = np.histogram(time, edges, weights=part)
+        said = {}
+        for mode, colour in MODE_COLOURS.items():
+            of_mode = np.where(of_frames == mode, part, 0.0)
+            heights, _ = np.histogram(time, edges, weights=of_mode)
+            heights = 0.85 * heights / whole.max()
+            axes.bar(edges[:-1], heights, np.diff(edges), -row + bottom, align="edge", color=colour)
+            bottom += heights
+            said[mode] = float(of_mode.sum())
+        axes.axhline(-row, color=LINE, lw=FINE)
+        words = ", ".join(
+            f"{mode} {100.0 * size:.0f} %"
+            for mode, size in sorted(said.items(), key=lambda one: -one[1])
+            if size > _NAMED_PART
+        )
+        axes.text(1.01, -row + 0.3, words, transform=axes.get_yaxis_transform(), va="center")
+        sign = canvas.words(axes, canvas.sign(name))
+        axes.text(
+            -0.01, -row + 0.3, sign, transform=axes.get_yaxis_transform(), va="center", ha="right"
+        )
+    for transition in motion.transitions:
+        if transition.time <= time[-1]:
+            axes.axvline(transition.time, color=FAINT, lw=FINE, zorder=0)
+    axes.set_yticks([])
+    axes.set(xlim=(time[0], time[-1]), ylim=(0.0 - len(parts) + 1.0, 1.0))
+    axes.set_xlabel(canvas.words(axes, canvas.axis_label("time")))
+    title = "Which part of the film says what"
+    return (
+        f"<h2>{title}</h2>\n"
+        '<p class="small">The higher a column, the more its frames tell of the number; its colour '
+        "is what the hoop then does. A number of which few frames tell hangs on these.</p>\n"
+        f'<img alt="how much each part of the film tells of each number" '
+        f'src="{_svg(figure, title)}">'
+    )
+
+
+def _of_forces(motion: Trajectory) -> str:
+    figure = canvas.sheet(0.5 * _WIDTH, 1.6)
     axes = history(motion, figure.add_subplot(), quantities=("normal", "friction"))
     axes.set_ylabel(canvas.words(axes, "force  (m₂g)"))
-    return figure
+    return (
+        '<div>\n<h2>Forces</h2>\n<img alt="normal force and friction over time" '
+        f'src="{_svg(figure, "Forces of the fitted motion")}">\n</div>'
+    )
 
 
-def _more_friction(motion: Trajectory) -> Figure:
-    """Draw the outcome for any friction and any rate at the start."""
+def _of_friction(result: FitResult) -> str:
+    """Draw the outcome for any friction and any rate at the start.
+
+    The friction of the hoop is marked as far as it is known.
+    """
+    motion = result.motion
     hoop = dataclasses.replace(motion.hoop, restitution=None, restitution_law=None)
     start = motion.start
-    most = max(_MOST_FRICTION, 1.2 * hoop.mu_s)
+    knows_static, knows_kinetic = _knows(result, "mu_s"), _knows(result, "mu_k")
+    marked = ([hoop.mu_k] if knows_kinetic else []) + ([hoop.mu_s] if knows_static else [])
+    most = max(_MOST_FRICTION, *(1.2 * value for value in marked))
     rates = abs(start.theta_rate) + 2.0
     found = outcome_map(
         hoop,
@@ -191,46 +281,65 @@ def _more_friction(motion: Trajectory) -> Figure:
         slip=start.slip,
         max_transitions=200,
     )
-    figure = canvas.sheet(0.5 * _WIDTH, 2.1)
+    figure = canvas.sheet(0.5 * _WIDTH, 1.6)
     axes = outcomes(found, figure.add_subplot(), x="mu", y="theta_rate")
-    axes.plot(
-        [hoop.mu_k, hoop.mu_s], [start.theta_rate] * 2, "|-", color=PAPER, lw=3.0, ms=9, mew=3.0
-    )
-    axes.plot([hoop.mu_k, hoop.mu_s], [start.theta_rate] * 2, "|-", color=INK, lw=1.2, ms=8)
-    axes.annotate(
-        "yours",
-        (hoop.mu_s, start.theta_rate),
-        xytext=(4, 4),
-        textcoords="offset points",
-        bbox={"boxstyle": "round,pad=0.1", "facecolor": PAPER, "edgecolor": "none", "alpha": 0.8},
-    )
-    return figure
-
-
-def _sentence(motion: Trajectory) -> str:
-    hoop, start = motion.hoop, motion.start
-    more = dataclasses.replace(
-        hoop, units=hoop.units, mu_s=_MORE * hoop.mu_s, mu_k=_MORE * hoop.mu_k
-    )
-    until = motion.until
-    then = more.simulate(**{name: getattr(start, name) for name in vars(start)}, until=until)
-
-    def course(one: Trajectory) -> str:
-        words = []
-        for mode, phases in itertools.groupby(phase.mode for phase in one.phases):
-            bounces = len(list(phases)) - 1
-            words.append(
-                mode
-                if bounces == 0 or mode != "flight"
-                else f"{mode} with {bounces} bounce{'s' * (bounces > 1)}"
-            )
-        return ", ".join(words[:_NAMED]) + ", …" * (len(words) > _NAMED)
-
+    if marked:
+        rate = [start.theta_rate] * len(marked)
+        axes.plot(marked, rate, "|-", color=PAPER, lw=3.0, ms=9, mew=3.0)
+        axes.plot(marked, rate, "|-", color=INK, lw=1.2, ms=8)
+        axes.annotate(
+            "yours",
+            (marked[-1], start.theta_rate),
+            xytext=(4, 4),
+            textcoords="offset points",
+            bbox={
+                "boxstyle": "round,pad=0.1",
+                "facecolor": PAPER,
+                "edgecolor": "none",
+                "alpha": 0.8,
+            },
+        )
     return (
-        f"Your hoop: {course(motion)}. With half as much friction more (μₛ = {more.mu_s:.3g}, μₖ = "
-        f"{more.mu_k:.3g}) "
-        f"and the same start: {course(then)}. In the map μₛ = μₖ = μ, up to the first landing."
+        "<div>\n<h2>What your hoop would do with more friction</h2>\n"
+        '<img alt="outcomes by friction and rate of the start" '
+        f'src="{_svg(figure, "Outcomes with more friction")}">\n</div>'
     )
+
+
+def _course(one: Trajectory) -> str:
+    words = []
+    for mode, phases in itertools.groupby(phase.mode for phase in one.phases):
+        bounces = len(list(phases)) - 1
+        words.append(
+            mode
+            if bounces == 0 or mode != "flight"
+            else f"{mode} with {bounces} bounce{'s' * (bounces > 1)}"
+        )
+    return ", ".join(words[:_NAMED]) + ", …" * (len(words) > _NAMED)
+
+
+def _sentence(result: FitResult) -> str:
+    """Say what the hoop did, and what it would do with more friction, where the track tells that.
+
+    A number that the track does not tell is no ground for it.
+    """
+    motion = result.motion
+    hoop, start = motion.hoop, motion.start
+    words = f"Your hoop: {_course(motion)}. "
+    if not _may_say(result):
+        return f"{words}Of its forces, and of more friction, this fit says nothing."
+    if _knows(result, "mu_s", "mu_k"):
+        more = dataclasses.replace(
+            hoop, units=hoop.units, mu_s=_MORE * hoop.mu_s, mu_k=_MORE * hoop.mu_k
+        )
+        then = more.simulate(
+            **{name: getattr(start, name) for name in vars(start)}, until=motion.until
+        )
+        words += (
+            f"With half as much friction more (μₛ = {more.mu_s:.3g}, μₖ = {more.mu_k:.3g}) and the "
+            f"same start: {_course(then)}. "
+        )
+    return f"{words}In the map μₛ = μₖ = μ, up to the first landing."
 
 
 def _svg(figure: Figure, title: str) -> str:
