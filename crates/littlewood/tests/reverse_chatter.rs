@@ -350,7 +350,8 @@ proptest! {
                 prop_assume!(settling.ratio < 0.99 && settling.impact.after.slip == 0.0);
                 // All bounces take 2 v/(W (1 − k)). W changes by about as much, and the sum by that over
                 // W (1 − k): the throw is so slow that both stay below the sum's error.
-                let thrown = 1e-10 * (found.contact * (1.0 - settling.ratio)).powi(2);
+                let closing = found.contact * (1.0 - settling.ratio);
+                let thrown = 1e-10 * closing * closing;
                 let start = Start::at(theta, rate).with_gap_rate(thrown);
                 let motion = hoop.simulate(start, Limits::default().with_transitions(1)).expect("a start");
                 let first = motion.transitions()[0];
