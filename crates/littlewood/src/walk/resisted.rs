@@ -328,8 +328,12 @@ impl<'a> Trial<'a> {
         if holds {
             tried.extend(slips.iter().map(|direction| self.skid(*direction)));
         }
-        // A massless hoop that slips and turns glides, without a force.
-        let slides = matches!(self.hoop.body(), Body::Heavy(_));
+        // A massless hoop that slips and turns glides, without a force. Whatever holds a velocity comes
+        // before a slide, whose series take longer than a half swing.
+        let holds_a_velocity = tried
+            .iter()
+            .any(|one| one.verdict == Verdict::Holds && !one.is_unstable);
+        let slides = matches!(self.hoop.body(), Body::Heavy(_)) && !holds_a_velocity;
         for direction in slips.into_iter().filter(|_| slides) {
             tried.extend(
                 rotations
