@@ -212,6 +212,12 @@ pub fn outcome(trajectory: &Trajectory, scale: Scale<'_>) -> String {
         Outcome::TransitionLimit { transitions, .. } => {
             stopped_after_transitions(transitions, trajectory)
         }
+        Outcome::StepLimit {
+            limit: SlideLimit::One { steps, .. },
+            ..
+        } if ends_in(trajectory, Mode::Rolling) => {
+            format!("Stopped after {steps} steps of rolling: its end is not known.")
+        }
         Outcome::StepLimit { limit, .. } => stopped_slide(&limit, scale),
         Outcome::Inconsistent { candidates, .. } => {
             let examined = examined(hoop, &candidates).join("; ");
@@ -249,6 +255,11 @@ fn stopped_after_transitions(transitions: usize, trajectory: &Trajectory) -> Str
         "slips may continue with decaying amplitude"
     };
     format!("Stopped after {transitions} transitions: {endless}.")
+}
+
+fn ends_in(trajectory: &Trajectory, mode: Mode) -> bool {
+    let last = trajectory.phases().last();
+    last.is_some_and(|phase| phase.mode() == mode)
 }
 
 fn stopped_slide(limit: &SlideLimit, scale: Scale<'_>) -> String {

@@ -24,6 +24,7 @@ pub(crate) mod resisted;
 pub(crate) mod rolling;
 pub(crate) mod sample;
 pub(crate) mod sliding;
+mod turn_times;
 
 pub(crate) use self::flight::{FlightExtent, TakeOff};
 pub(crate) use self::gliding::{GlideEntry, GlidingEnd};

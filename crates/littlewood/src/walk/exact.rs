@@ -24,6 +24,8 @@ pub(crate) struct Exact<'a> {
     proof: Proof,
     /// Remaining steps of hard slides.
     steps: Cell<usize>,
+    /// Remaining steps of long rolling with rolling resistance.
+    rolling_steps: Cell<usize>,
 }
 
 /// Largest number of steps of all hard slides of a motion: a quarter of a second, and 60 MB. The
@@ -35,6 +37,12 @@ const MAX_STEPS_OF_HARD_SLIDES: usize = 100_000;
 /// solvers delegate hard slides to this one, so that the count is the same.
 const MAX_STEPS_OF_EASY_SLIDE: usize = 2_000;
 
+/// Largest number of steps of all long phases of rolling with rolling resistance.
+const MAX_STEPS_OF_LONG_ROLLING: usize = 500_000;
+
+/// Largest number of steps of a phase that is not long: a half swing takes a few dozen.
+const MAX_STEPS_OF_SHORT_ROLLING: usize = 256;
+
 type ExactEnd = PhaseEnd<State, Outcome>;
 
 impl<'a> Exact<'a> {
@@ -44,6 +52,7 @@ impl<'a> Exact<'a> {
             until: limits.until,
             proof: limits.proof(),
             steps: Cell::new(MAX_STEPS_OF_HARD_SLIDES),
+            rolling_steps: Cell::new(MAX_STEPS_OF_LONG_ROLLING),
         }
     }
 
@@ -202,9 +211,14 @@ impl<'a> Exact<'a> {
     ) -> PhaseResult<Self> {
         let budget = ResistedBudget {
             time_left: self.allowed(state),
-            steps: MAX_STEPS_OF_HARD_SLIDES,
+            steps: (self.rolling_steps.get())
+                .clamp(MAX_STEPS_OF_SHORT_ROLLING, MAX_STEPS_OF_HARD_SLIDES),
         };
         let (rolling, end) = ResistedRolling::run(self.hoop, body, *state, direction, budget);
+        if rolling.work() > MAX_STEPS_OF_SHORT_ROLLING {
+            let left = self.rolling_steps.get().saturating_sub(rolling.work());
+            self.rolling_steps.set(left);
+        }
         let held = Held {
             slip: true,
             turn: false,

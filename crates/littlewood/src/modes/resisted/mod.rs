@@ -2,6 +2,7 @@
 //! and rest (docs/theory/rolling-resistance.md).
 
 mod held;
+mod leap;
 mod rolling;
 mod series;
 

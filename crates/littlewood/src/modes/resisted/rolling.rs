@@ -2,20 +2,26 @@
 
 use core::f64::consts::{PI, TAU};
 
+use crate::math::number::Number;
+use crate::math::panel::Rule;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{Angle, WholeTurns, less_a_turn, split_turns, with_turns};
-use crate::mechanics::{Accelerations, Clearance, ResistedRollingLaw};
+use crate::mechanics::{Accelerations, Clearance, ResistedRollingLaw, RollingLaw};
 use crate::model::{Heavy, Hoop, MAX_TIME, Mode, RotationDirection, SlipDirection, State};
 use crate::modes::sliding::{MIN_RELATIVE_STEP, max_step};
 use crate::modes::{
     Instant, Margin, PhasePoint, Recurrence, RollingLimit, Sample, Undecided, couple_of_turning,
 };
 
+use super::leap::{LEAP_COST_IN_STEPS, LeapBounds, MIN_LEAP_TURNS, Turn, TurnLeap, TurnMap};
 use super::series::RollingSeries;
 
 /// By which part of the distance between two turns the periodic rotation is enclosed from the other
 /// side.
 const ENCLOSURE: f64 = 1e-3;
+
+/// Largest number of steps of a turn.
+const MAX_STEPS_PER_TURN: usize = 2_000;
 
 /// The limits of a phase of rolling.
 #[derive(Clone, Copy, Debug)]
@@ -51,6 +57,7 @@ pub struct ResistedRolling {
     start: State,
     turns: WholeTurns,
     steps: Vec<Step>,
+    leap: Option<TurnLeap>,
     cycle: Option<Cycle>,
 }
 
@@ -118,6 +125,33 @@ struct TurnEnd {
     u: f64,
 }
 
+/// The turns of a rotation so far.
+struct Turns {
+    count: f64,
+    last: TurnEnd,
+    /// Steps up to the last.
+    steps: usize,
+    /// Whether no event ever comes.
+    go_on: bool,
+    /// The number of turns before the next attempt to pass many at once.
+    next_attempt: f64,
+}
+
+impl Turns {
+    fn at(start: &RollingPoint) -> Self {
+        Self {
+            count: 0.0,
+            last: TurnEnd {
+                elapsed: 0.0,
+                u: start.place.rate * start.place.rate,
+            },
+            steps: 0,
+            go_on: false,
+            next_attempt: 1.0,
+        }
+    }
+}
+
 impl ResistedRolling {
     /// Integrates the phase to its end, or to a limit.
     pub(crate) fn run(
@@ -140,6 +174,7 @@ impl ResistedRolling {
             },
             turns,
             steps: Vec::new(),
+            leap: None,
             cycle: None,
         };
         let end = rolling.integrate(budget);
@@ -151,9 +186,15 @@ impl ResistedRolling {
         self.direction
     }
 
-    /// Number of Taylor steps of the phase.
+    /// Number of Taylor steps of the phase. Many turns may be passed at once.
     pub fn steps(&self) -> usize {
         self.steps.len()
+    }
+
+    /// The steps, and those that a leap is worth.
+    pub(crate) fn work(&self) -> usize {
+        let leaps = usize::from(self.leap.is_some());
+        self.steps.len() + LEAP_COST_IN_STEPS * leaps
     }
 
     fn first_point(&self) -> RollingPoint {
@@ -174,14 +215,11 @@ impl ResistedRolling {
             return ResistedEnd::Endless(recurrence);
         }
         let mut here = self.first_point();
-        let mut last_turn = TurnEnd {
-            elapsed: 0.0,
-            u: here.place.rate * here.place.rate,
-        };
-        // With a time limit all states up to it are required.
-        let mut turns = budget.time_left.is_none().then_some(0.0);
+        let mut turns = Turns::at(&here);
         loop {
-            if self.steps.len() >= budget.steps {
+            if self.steps.len() >= budget.steps
+                || self.leap.as_ref().is_some_and(TurnLeap::is_limited)
+            {
                 return ResistedEnd::StepLimit(self.state_from(here));
             }
             let time_left = budget
@@ -203,31 +241,167 @@ impl ResistedRolling {
                     return ResistedEnd::Unresolved { state, undecided };
                 }
             };
-            if let Some(count) = turns
-                && let Some(turn) = self.turn_end(here, count + 1.0)
-            {
-                let goes_on = count > 0.0 || self.goes_on(last_turn.u, turn.u);
-                turns = goes_on.then_some(count + 1.0);
-                let rounding = f64::EPSILON * turn.u * self.steps.len() as f64 / (count + 1.0);
-                if goes_on && (turn.u - last_turn.u).abs() <= rounding {
-                    self.cycle = Some(Cycle {
-                        from: last_turn.elapsed,
-                        period: turn.elapsed - last_turn.elapsed,
-                    });
-                    // From its own start a turn does not round the time of all turns before.
-                    let period = self
-                        .turn_from(turn.u)
-                        .map_or(turn.elapsed - last_turn.elapsed, |turn| turn.elapsed);
-                    return ResistedEnd::Endless(Recurrence::Rotation { period });
+            if let Some(turn) = self.turn_end(here, turns.count + 1.0) {
+                if let Some(recurrence) = self.recurrence(&mut turns, turn, budget.time_left) {
+                    return ResistedEnd::Endless(recurrence);
                 }
-                last_turn = turn;
+                here = self.leap(&mut turns, budget.time_left).unwrap_or(here);
             }
         }
     }
 
-    /// The angle passed since the start, in the direction of motion.
-    fn turned(&self, point: RollingPoint) -> f64 {
-        self.direction.sign() * (with_turns(point.place.theta, point.turned) - self.start.theta)
+    /// What recurs after a turn that ends here, if it repeats the one before, but for rounding.
+    fn recurrence(
+        &mut self,
+        turns: &mut Turns,
+        turn: TurnEnd,
+        time_left: Option<f64>,
+    ) -> Option<Recurrence> {
+        let last = turns.last;
+        if turns.count == 0.0 {
+            // With a time limit all states up to it are required.
+            turns.go_on = time_left.is_none() && self.goes_on(last.u, turn.u);
+        }
+        let rounding = f64::EPSILON * turn.u * (self.steps.len() - turns.steps) as f64;
+        (turns.count, turns.last, turns.steps) = (turns.count + 1.0, turn, self.steps.len());
+        if !turns.go_on || (turn.u - last.u).abs() > rounding {
+            return None;
+        }
+        self.cycle = Some(Cycle {
+            from: last.elapsed,
+            period: turn.elapsed - last.elapsed,
+        });
+        // From its own start a turn does not round the time of all turns before.
+        let period = self
+            .turn_from(turn.u)
+            .map_or(turn.elapsed - last.elapsed, |turn| turn.elapsed);
+        Some(Recurrence::Rotation { period })
+    }
+
+    /// Passes many turns from the end of one, if no event comes in them; returns the point behind.
+    fn leap(&mut self, turns: &mut Turns, time_left: Option<f64>) -> Option<RollingPoint> {
+        let heading = self.direction.sign();
+        let TurnEnd { elapsed, u } = turns.last;
+        let time_left = time_left.map_or(f64::INFINITY, |time_left| time_left - elapsed);
+        if self.leap.is_some() || turns.count < turns.next_attempt {
+            return None;
+        }
+        turns.next_attempt = 2.0 * turns.count;
+        let first = self.turn_of(u)?;
+        if time_left < MIN_LEAP_TURNS * first.elapsed {
+            return None;
+        }
+        let RollingLaw { mass, tilt, .. } = self.law.rolling;
+        // What gravity gives, and resistance takes, in a turn.
+        let work = heading * TAU * mass * tilt - self.law.resistance.abs() * first.press;
+        let inertia = self.law.rolling.denominator_of(self.start.theta.angle());
+        let map = TurnMap {
+            log_contraction: self.log_contraction()?,
+            u,
+            gain: 2.0 * work / inertia,
+        };
+        let bounds = LeapBounds {
+            time_left,
+            turns: if turns.go_on {
+                map.turns_to_repeat()
+            } else {
+                f64::INFINITY
+            },
+            is_free: |n| turns.go_on || self.turn_from(map.after(n)).is_some(),
+        };
+        let time = |u| self.turn_of(u).map_or(f64::NAN, |turn| turn.elapsed);
+        let mut leap = TurnLeap::new(map, first, bounds, time)?;
+        if !leap.duration().is_finite() {
+            return None;
+        }
+        let begun = turns.count;
+        let point = RollingPoint {
+            elapsed: elapsed + leap.duration(),
+            turned: heading * (begun + leap.count),
+            place: self.section_place(&leap, leap.count),
+        };
+        turns.count += leap.count;
+        turns.last = TurnEnd {
+            elapsed: point.elapsed,
+            u: map.after(leap.count),
+        };
+        (leap.begin, leap.turned) = (elapsed, begun);
+        self.leap = Some(leap);
+        Some(point)
+    }
+
+    fn section_place(&self, leap: &TurnLeap, n: f64) -> PhasePoint {
+        PhasePoint {
+            theta: self.start.theta,
+            rate: self.direction.sign() * leap.map.after(n).sqrt(),
+        }
+    }
+
+    /// The turn from the angle of the start, whatever ends it.
+    fn turn_of(&self, u: f64) -> Option<Turn> {
+        let (rule, heading) = (Rule::get(), self.direction.sign());
+        let end = self.start.theta + heading * TAU;
+        let mut place = PhasePoint {
+            theta: self.start.theta,
+            rate: heading * u.sqrt(),
+        };
+        let inertia = self.law.denominator_of(self.start.theta.angle());
+        let mut turn = Turn {
+            elapsed: 0.0,
+            press: 0.0,
+            reserve: u,
+        };
+        for _ in 0..MAX_STEPS_PER_TURN {
+            let mut series = RollingSeries::new(&self.law, place, DEGREE);
+            let reach = series.convergence_radius(f64::INFINITY);
+            let next = series.point(reach);
+            if next.rate.is_nan() || heading * next.rate <= 0.0 {
+                return None;
+            }
+            let is_last = heading * (next.theta - end) >= 0.0;
+            let width = if is_last {
+                root(&series.theta, end, -heading, reach)
+            } else {
+                reach
+            };
+            let press = rule.nodes.map(|x| {
+                let at = 0.5 * width * (1.0 + x);
+                let rate = value(&series.theta_rate, at);
+                let reserve = rate * rate * value(&series.denominator, at) / inertia;
+                turn.reserve = turn.reserve.min(reserve);
+                value(&series.normal, at) * rate.abs()
+            });
+            turn.press += 0.5 * width * rule.integral(&press);
+            turn.elapsed += width;
+            if is_last {
+                return Some(turn);
+            }
+            place = next;
+        }
+        None
+    }
+
+    /// The point after a time within a leap.
+    fn point_in_leap(&self, leap: &TurnLeap, elapsed: f64) -> RollingPoint {
+        let n = leap.turn_at(elapsed - leap.begin);
+        let (mut place, mut left) = (
+            self.section_place(leap, n),
+            elapsed - leap.begin - leap.time(n),
+        );
+        for _ in 0..MAX_STEPS_PER_TURN {
+            let mut series = RollingSeries::new(&self.law, place, DEGREE);
+            let width = series.convergence_radius(f64::INFINITY).min(left);
+            place = series.point(width);
+            left -= width;
+            if left <= 0.0 {
+                break;
+            }
+        }
+        RollingPoint {
+            elapsed,
+            turned: self.direction.sign() * (leap.turned + n),
+            place,
+        }
     }
 
     /// One Taylor step from a point, of at most this time.
@@ -347,11 +521,12 @@ impl ResistedRolling {
 
     /// The end of a whole turn, if the last step, which leads to `here`, passes it.
     fn turn_end(&self, here: RollingPoint, count: f64) -> Option<TurnEnd> {
-        if self.turned(here) < count * TAU {
+        let (last, heading) = (self.steps.last()?, self.direction.sign());
+        let end = |turned: f64| with_turns(self.start.theta, heading * count - turned);
+        if heading * (here.place.theta - end(here.turned)) < 0.0 {
             return None;
         }
-        let (last, heading) = (self.steps.last()?, self.direction.sign());
-        let end = with_turns(self.start.theta, heading * count - last.turned);
+        let end = end(last.turned);
         let at = root(&last.theta, end, -heading, here.elapsed - last.begin);
         let rate = value(&last.theta_rate, at);
         Some(TurnEnd {
@@ -365,7 +540,7 @@ impl ResistedRolling {
     /// each angle. So it does if a turn from the other side of the periodic rotation, which returns
     /// towards it, is without an event, too: each later turn lies between the two.
     fn goes_on(&self, first: f64, second: f64) -> bool {
-        let Some(lambda) = self.contraction() else {
+        let Some(lambda) = self.log_contraction().map(libm::exp) else {
             return false;
         };
         let periodic = second + (second - first) * lambda / (1.0 - lambda);
@@ -377,13 +552,15 @@ impl ResistedRolling {
         beyond > 0.0 && self.turn_from(beyond).is_some_and(returns)
     }
 
-    /// λ, by which a turn shrinks differences of u.
-    fn contraction(&self) -> Option<f64> {
+    /// log λ, by which a turn shrinks differences of u; none where Dχ is not positive at all angles.
+    fn log_contraction(&self) -> Option<f64> {
         let rolling = &self.law.rolling;
         let (mean, chi) = (rolling.mean_denominator(), self.law.resistance.abs());
-        let square = mean * mean - rolling.offset * rolling.offset * (4.0 + chi * chi);
-        let rate = mean / square.sqrt() - 1.0;
-        (square > 0.0).then(|| libm::exp(-2.0 * TAU * chi / (4.0 + chi * chi) * rate))
+        let varying = rolling.offset * rolling.offset * (4.0 + chi * chi);
+        let square = mean * mean - varying;
+        // A/Δ − 1 without cancellation.
+        let rate = varying / (square.sqrt() * (mean + square.sqrt()));
+        (square > 0.0).then_some(-2.0 * TAU * chi / (4.0 + chi * chi) * rate)
     }
 
     /// The end of a turn from the angle of the start; none if an event ends it before.
@@ -394,6 +571,7 @@ impl ResistedRolling {
                 ..self.start
             },
             steps: Vec::new(),
+            leap: None,
             ..*self
         };
         let mut here = turn.first_point();
@@ -416,10 +594,15 @@ impl ResistedRolling {
             }
             Some(_) | None => (elapsed, 0.0),
         };
+        let in_leap = self
+            .leap
+            .as_ref()
+            .filter(|leap| leap.begin <= within && within < leap.begin + leap.duration());
         let after = self.steps.partition_point(|step| step.begin <= within);
-        let mut point = match self.steps.get(after.saturating_sub(1)) {
-            Some(step) => step.at(within),
-            None => self.first_point(),
+        let mut point = match (in_leap, self.steps.get(after.saturating_sub(1))) {
+            (Some(leap), _) => self.point_in_leap(leap, within),
+            (None, Some(step)) => step.at(within),
+            (None, None) => self.first_point(),
         };
         point.elapsed = elapsed;
         point.turned += turns * self.direction.sign();

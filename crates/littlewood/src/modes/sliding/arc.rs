@@ -10,9 +10,10 @@ use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::math::trig::{Angle, WholeTurns, split_turns};
 use crate::mechanics::{Clearance, ContactMotion, SlidePath, SlidingLaw};
 use crate::model::{Heavy, Hoop, MAX_TIME, Mode, RotationDirection, SlipDirection, State};
+use crate::modes::turn_times::MIN_LEAP_TURNS;
 use crate::modes::{Instant, Margin, Recurrence, Sample, Undecided, couple_of_turning};
 
-use super::leap::{LeapLimits, MIN_LEAP_TURNS, ProvedTurns, section_of};
+use super::leap::{LeapLimits, ProvedTurns, section_of};
 use super::onset::Onset;
 use super::series::{INITIAL_MAX_STEP, PhasePoint, SlideSeries};
 use super::singular::{Approach, SingularEnd, SingularFate};

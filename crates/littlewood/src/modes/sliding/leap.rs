@@ -1,42 +1,19 @@
 //! Leaps: many turns, or periods, of a slide in one step, whose sums and proofs
 //! docs/theory/many-turns.md derives.
-//!
-//! A polynomial p(x), x = 2 k/M − 1, through the times of M turns at Chebyshev nodes has the sum
-//!
-//! ```text
-//! Σ p = D(x) − D(−1),      D(x + 1/M) − D(x − 1/M) = p(x),      D = (M/2) Σ_j c_j M^(−2j) d^(2j−1)p/dx^(2j−1),
-//! ```
-//!
-//! with c_j the coefficients of z/sinh z (Euler and Maclaurin).
 
-use core::f64::consts::{PI, TAU};
+use core::f64::consts::TAU;
 
 use crate::math::bernstein::Bernstein;
 use crate::math::bracket::last_of;
 use crate::math::series::{DEGREE, Series, crossing, root, value};
 use crate::mechanics::SlidingLaw;
+use crate::modes::turn_times::{
+    MAX_ENERGY_RATIO, MAX_GROWTH, MAX_LEAP_TURNS, MAX_SINGLY_SUMMED, MIN_LEAP_TURNS, Times,
+    TurnBlock,
+};
 
 use super::return_map::{EnergyRange, ReturnMap, section};
 use super::series::{PhasePoint, SlideSeries};
-
-/// Least number of turns, or periods, of a leap; fewer are integrated step by step.
-pub(super) const MIN_LEAP_TURNS: f64 = 16.0;
-
-/// Largest number of turns, or periods, of a leap: the angle after so many has an error of 1e-6 of
-/// a turn.
-const MAX_LEAP_TURNS: f64 = 1e9;
-
-/// Largest number of turns whose times are summed one by one: half the nodes of a polynomial.
-const MAX_SINGLY_SUMMED: usize = 8;
-
-const NODES: usize = 16;
-
-/// Largest ratio of min u between the turns of a block. The zero of u is then five half widths
-/// from the middle, and the interpolation error through 16 nodes is (5 + √24)^−16 = 9.9^−16.
-const MAX_ENERGY_RATIO: f64 = 1.5;
-
-/// Largest |κ| times the number of turns of a block: ε_k is then nearly quadratic in k.
-const MAX_GROWTH: f64 = 0.5;
 
 /// Relative margin of a proof, for some tens of roundings.
 const PROOF_MARGIN: f64 = 64.0 * f64::EPSILON;
@@ -142,94 +119,6 @@ impl TurnCheck {
             self.slip_range = (self.slip_range.0.min(value), self.slip_range.1.max(value));
         }
     }
-}
-
-#[derive(Clone, Debug)]
-enum Times {
-    /// Each takes the same time, after a time before.
-    Equal { before: f64, each: f64 },
-    /// Coefficients of D(x) − D(−1) in powers of x.
-    Smooth([f64; NODES + 1]),
-}
-
-/// Consecutive turns whose times are summed together.
-#[derive(Clone, Debug)]
-struct TurnBlock {
-    first: f64,
-    turns: f64,
-    begin: f64,
-    times: Times,
-}
-
-impl TurnBlock {
-    /// Time at the beginning of turn `n` of the leap, a turn of the block or the next turn.
-    fn time(&self, n: f64) -> f64 {
-        let within = n - self.first;
-        let passed = match &self.times {
-            Times::Equal { before, each } => before + within * each,
-            Times::Smooth(powers) => {
-                let x = 2.0 * within / self.turns - 1.0;
-                powers.iter().rev().fold(0.0, |sum, c| sum * x + c)
-            }
-        };
-        self.begin + passed
-    }
-}
-
-/// Coefficients of D(x) − D(−1) from the values of p at the Chebyshev nodes of a block of `turns`
-/// turns.
-fn sum_of_turns(values: &[f64; NODES], turns: f64) -> [f64; NODES + 1] {
-    // Coefficients of p in powers of x, by the recurrence of the Chebyshev polynomials.
-    let mut powers = [0.0; NODES];
-    let (mut before, mut this) = ([0.0; NODES], [0.0; NODES]);
-    this[0] = 1.0;
-    for j in 0..NODES {
-        let mut coefficient = 0.0;
-        for (k, value) in values.iter().enumerate() {
-            coefficient += value * libm::cos(PI * (j * (2 * k + 1)) as f64 / (2 * NODES) as f64);
-        }
-        coefficient *= if j == 0 { 1.0 } else { 2.0 } / NODES as f64;
-        for (power, c) in powers.iter_mut().zip(this) {
-            *power += coefficient * c;
-        }
-        let mut next = [0.0; NODES];
-        for k in 0..NODES {
-            let raised = if k == 0 { 0.0 } else { this[k - 1] };
-            next[k] = if j == 0 {
-                raised
-            } else {
-                2.0 * raised - before[k]
-            };
-        }
-        (before, this) = (this, next);
-    }
-    // z/sinh z, from its product with sinh z/z = Σ z^(2i)/(2i + 1)!.
-    let mut series = [0.0; NODES / 2 + 1];
-    series[0] = 1.0;
-    for j in 1..series.len() {
-        let mut factorial = 1.0;
-        for i in 1..=j {
-            factorial *= (2 * i * (2 * i + 1)) as f64;
-            series[j] -= series[j - i] / factorial;
-        }
-    }
-    let mut sum = [0.0; NODES + 1];
-    for (k, power) in powers.iter().enumerate() {
-        // The integral of x^k, then its odd derivatives.
-        let mut factor = 0.5 * turns * power / (k + 1) as f64;
-        let mut degree = k + 1;
-        for c in series {
-            sum[degree] += c * factor;
-            if degree < 2 {
-                break;
-            }
-            factor *= (degree * (degree - 1)) as f64 / (turns * turns);
-            degree -= 2;
-        }
-    }
-    sum[0] = 0.0;
-    sum[0] = -sum.iter().rev().fold(0.0, |sum, c| c - sum);
-    sum
 }
 
 fn along_heading(law: &SlidingLaw, heading: f64) -> SlidingLaw {
@@ -414,12 +303,7 @@ impl ProvedTurns {
             .min(MAX_GROWTH / self.map.kappa().abs());
         let turns = smooth.min(self.max_turns - first).floor();
         if turns > MAX_SINGLY_SUMMED as f64 {
-            let values = core::array::from_fn(|k| {
-                let x = libm::cos(PI * (2 * k + 1) as f64 / (2 * NODES) as f64);
-                self.map
-                    .time(self.energy_at(first + 0.5 * ((x + 1.0) * turns - 1.0)))
-            });
-            let times = Times::Smooth(sum_of_turns(&values, turns));
+            let times = Times::smooth(turns, |n| self.map.time(self.energy_at(first + n)));
             self.blocks.push(TurnBlock {
                 first,
                 turns,
