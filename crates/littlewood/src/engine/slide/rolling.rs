@@ -744,7 +744,7 @@ impl<'a> Roll<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{HoopParameters, State};
+    use crate::model::{HoopParameters, RotationDirection, State};
     use crate::modes::{ResistedBudget, ResistedEnd, ResistedRolling, RollingLimit};
 
     fn hoops() -> impl Iterator<Item = Hoop> {
@@ -810,13 +810,37 @@ mod tests {
         assert!(all > 300, "{all}");
     }
 
+    /// The end by Taylor series in time, and the direction of a slip.
+    fn by_series(hoop: &Hoop, start: &RollStart) -> (State, Option<SlipDirection>) {
+        let state = State {
+            time: 0.0,
+            theta: start.theta,
+            theta_rate: start.u.sqrt(),
+            slip: 0.0,
+            x: 0.0,
+        };
+        let budget = ResistedBudget {
+            time_left: Some(start.time_left),
+            steps: 10_000,
+        };
+        let direction = RotationDirection::Positive;
+        let (_, end) = ResistedRolling::run(hoop, &hoop.rigid_body(), state, direction, budget);
+        match end {
+            ResistedEnd::TurningPoint(state) | ResistedEnd::TimeLimit(state) => (state, None),
+            ResistedEnd::Limit {
+                state,
+                limit: RollingLimit::Friction(slip),
+            } => (state, Some(slip)),
+            end => panic!("{end:?}"),
+        }
+    }
+
     /// The same end as by Taylor series in time, on slopes, too.
     #[test]
     fn rolling_ends_as_by_series_in_time() {
         let (mut turns, mut slips) = (0, 0);
         for hoop in hoops() {
-            let body = hoop.rigid_body();
-            let tables = RollTables::new(&hoop, &body);
+            let tables = RollTables::new(&hoop, &hoop.rigid_body());
             for k in 0..400_u32 {
                 let theta = 0.37 * f64::from(k % 17) - 3.0;
                 let rate = 0.05 * f64::from(k % 43) + 0.02;
@@ -831,34 +855,9 @@ mod tests {
                 let Ok(found) = tables.solve(&start) else {
                     continue;
                 };
-                let state = State {
-                    time: 0.0,
-                    theta,
-                    theta_rate: rate,
-                    slip: 0.0,
-                    x: 0.0,
-                };
-                let budget = ResistedBudget {
-                    time_left: Some(30.0),
-                    steps: 10_000,
-                };
-                let direction = crate::model::RotationDirection::Positive;
-                let (_, end) = ResistedRolling::run(&hoop, &body, state, direction, budget);
-                let (state, stop) = match end {
-                    ResistedEnd::TurningPoint(state) => {
-                        turns += 1;
-                        (state, None)
-                    }
-                    ResistedEnd::Limit {
-                        state,
-                        limit: RollingLimit::Friction(slip),
-                    } => {
-                        slips += 1;
-                        (state, Some(slip))
-                    }
-                    ResistedEnd::TimeLimit(state) => (state, None),
-                    end => panic!("{end:?}"),
-                };
+                let (state, stop) = by_series(&hoop, &start);
+                turns += u32::from(state.theta_rate == 0.0);
+                slips += u32::from(stop.is_some());
                 let slip = match found.stop {
                     RollStop::Slip(slip) => Some(slip),
                     RollStop::Turn { .. } | RollStop::Cut => None,
