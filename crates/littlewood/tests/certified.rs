@@ -24,9 +24,11 @@ fn bound(family: &str) -> f64 {
         "massless" => 4.0,
         "ramp-rolling" | "thrown" => 8.0,
         "ramp-sliding" | "rests-landing" => 16.0,
-        "jam" | "leaves-at-once" | "rests-rolling" | "rests-sliding" | "settles-sticking" => 32.0,
-        "elastic" | "ramp-rests" | "reversal-chain" | "settles-sliding" => 64.0,
-        "elastic-settling" | "lift-off" | "ramp-jump" => 128.0,
+        "jam" | "leaves-at-once" | "rests-massless" | "rests-rolling" | "rests-sliding"
+        | "settles-sticking" => 32.0,
+        "elastic" | "ramp-rests" | "rests-elastic" | "rests-si" | "reversal-chain"
+        | "settles-sliding" => 64.0,
+        "elastic-settling" | "lift-off" | "ramp-jump" | "ramp-settles" => 128.0,
         "engines" | "si" | "slide-roll-slip" => 512.0,
         "long-rolling" => 4096.0,
         "paper" => 8192.0,

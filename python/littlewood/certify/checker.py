@@ -2455,10 +2455,10 @@ def rest_of_bounces(given: Given, start: State) -> Rest:
         slowing = body.mu_k * along - turned * sigma
         ends = (1 + e) * (v / uneven) * slowing
         _demand(exceeds(ends, drift.largest() * longest * slides), "stick")
-        if not (exceeds(1, shrink) and exceeds(slides, press)):
+        if not (exceeds(1 - shrink, 0) and exceeds(slides, press)):
             shrink = _shrinking(given, start, (theta, rate, drift), (weakest, strongest))
             press = press if exceeds(slides, press) else slides.least()
-    _demand(exceeds(1, shrink), "shrink")
+    _demand(exceeds(1 - shrink, 0), "shrink")
     _demand(exceeds(press, 0), "are pressed back")
     # What comes down with v √(W2/W1) at most goes up with so much of v.
     taken = (uneven + shrink) * v / (1 - shrink)
