@@ -206,7 +206,7 @@ impl Modes {
 }
 
 /// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns
-/// after the last phase has begun. A motion that goes on after its landings has more to show before
+/// after the last phase has begun, or a while after it has come to rest. A motion that goes on after its landings has more to show before
 /// its last phase, of which a turn is enough.
 fn horizon(motion: &Trajectory) -> f64 {
     let (end, goes_on) = (motion.end_time(), motion.hoop().restitution().is_some());
@@ -223,6 +223,9 @@ fn horizon(motion: &Trajectory) -> f64 {
     }
     if end.is_finite() && motion.outcome().is_final() {
         return end;
+    }
+    if let Some(until) = motion.rest_shown_until() {
+        return until;
     }
     let rate = last.start().theta_rate.abs();
     let turns = if goes_on {

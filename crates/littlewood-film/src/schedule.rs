@@ -110,7 +110,8 @@ pub struct Shown {
 
 impl Schedule {
     /// Frames from the start of a motion to its end. A motion without an end is shown for a whole
-    /// oscillation, so that the film closes, for two turns, or for ten units of time.
+    /// oscillation, so that the film closes, for two turns, or for ten units of time; one that rests
+    /// for a quarter longer than it moved.
     ///
     /// # Errors
     /// A rate, a slowness or a hold out of bounds, no motion, or too many frames.
@@ -232,7 +233,10 @@ fn shown_until(trajectory: &Trajectory) -> (f64, Part) {
         ))
     });
     let (until, part) = match period {
-        None => (since + HORIZON, Part::While),
+        None => {
+            let rests = trajectory.rest_shown_until();
+            (rests.unwrap_or(since + HORIZON), Part::While)
+        }
         // The hoop that rolls back and forth is back at its place; the one that slides has moved
         // on.
         Some((RecurrenceKind::Libration, period))
