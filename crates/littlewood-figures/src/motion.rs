@@ -27,9 +27,6 @@ const CROWD: usize = 64;
 const SHOWN: usize = 24;
 const INSTANTS_OF_A_CROWD: f64 = 6_000.0;
 
-/// How long the rest at the end is seen, in parts of the motion before.
-const RESTING: f64 = 0.08;
-
 /// How much of a phase passes along an arrow of time.
 const SOON: f64 = 0.03;
 
@@ -225,7 +222,7 @@ impl Modes {
 }
 
 /// Where the figures of a motion stop: at its end; where it has none, or was stopped, a few turns
-/// after the last phase has begun. A motion that goes on after its landings has more to show before
+/// after the last phase has begun, or a while after it has come to rest. A motion that goes on after its landings has more to show before
 /// its last phase, of which a turn is enough.
 fn horizon(motion: &Trajectory) -> f64 {
     let (end, goes_on) = (motion.end_time(), motion.hoop().restitution().is_some());
@@ -240,14 +237,11 @@ fn horizon(motion: &Trajectory) -> f64 {
     if let Some(time) = cut {
         return time;
     }
-    // It rests for ever: a short while is seen.
-    if last.mode() == Mode::Rest && end.is_infinite() {
-        let before = last.start().time - motion.start().time;
-        let rest = if before > 0.0 { RESTING * before } else { 1.0 };
-        return last.start().time + rest;
-    }
     if end.is_finite() && motion.outcome().is_final() {
         return end;
+    }
+    if let Some(until) = motion.rest_shown_until() {
+        return until;
     }
     let rate = last.start().theta_rate.abs();
     let turns = if goes_on {

@@ -25,9 +25,7 @@ const STAYS_S: f64 = 0.8;
 /// Time shown of a motion that lasts for ever and has no period.
 const HORIZON: f64 = 10.0;
 
-/// Time for which a hoop that has come to rest is shown before the film stops, and time after which
-/// its rest is not waited for.
-const REST: f64 = 1.0;
+/// Time after which the rest of a hoop is not waited for.
 const LONG: f64 = 120.0;
 
 /// Time after which a motion that lasts for ever is not waited for to come to its last phase, or to
@@ -119,7 +117,7 @@ pub struct Shown {
 impl Schedule {
     /// Frames from the start of a motion to its end. A motion without an end is shown for a whole
     /// oscillation, so that the film closes, for two turns, or for ten units of time; one that comes
-    /// to rest until shortly after.
+    /// to rest for a quarter longer than it moved.
     ///
     /// # Errors
     /// A rate, a slowness or a hold out of bounds, no motion, or too many frames.
@@ -234,11 +232,11 @@ fn shown_until(trajectory: &Trajectory) -> (f64, Part) {
     }
     let start = trajectory.start().time;
     let since = outcome.state().time;
-    if outcome.kind() == OutcomeKind::Rests {
+    if let Some(until) = trajectory.rest_shown_until() {
         return if since - start > LONG {
             (start + PATIENCE, Part::BeforeRest)
         } else {
-            (since + REST, Part::Whole)
+            (until, Part::Whole)
         };
     }
     let period = outcome.recurrence().and_then(|recurrence| {

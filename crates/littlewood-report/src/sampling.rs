@@ -21,7 +21,8 @@ impl Sampling {
     pub const COUNTS: RangeInclusive<u64> = 2..=10_000_000;
 
     /// `count` instants of a motion, to its end. A motion without an end is sampled for two periods
-    /// of the last phase, or for ten units of time where that has none.
+    /// of the last phase, or for ten units of time where that has none; one that rests for a
+    /// quarter longer than it moved.
     #[must_use]
     pub fn of(trajectory: &Trajectory, count: usize) -> Self {
         Self {
@@ -35,6 +36,9 @@ fn horizon(trajectory: &Trajectory) -> f64 {
     let end = trajectory.end_time();
     if end.is_finite() {
         return end;
+    }
+    if let Some(until) = trajectory.rest_shown_until() {
+        return until;
     }
     let outcome = trajectory.outcome();
     let period = outcome

@@ -366,7 +366,17 @@ fn rolling_resistance_stops_the_hoop() {
             panic!("{name}: {:?}", motion.outcome())
         };
         assert_eq!(half_swings, expected.half_swings, "{name}");
+        // All start at τ = 0.
+        let end = motion.transitions().last().expect("a stop").time();
+        assert_eq!(motion.rest_shown_until(), Some(end + 0.25 * end), "{name}");
     }
+    assert_eq!(case("figure-2-libration").rest_shown_until(), None);
+    let hoop = Hoop::new(find_case("libration-rests").expect("a case").setup.hoop);
+    let mut start = Start::at(3.1, 0.0);
+    start.time = 2.0;
+    let stays = hoop.and_then(|hoop| hoop.simulate(start, Limits::default()));
+    let stays = stays.expect("a valid start");
+    assert_eq!(stays.rest_shown_until(), Some(12.0));
 
     // The disc in closed form: θ″ = m (g_t − ς χ g_n)/(Î + m), with m = 2, Î = ½ and ς = −1.
     let disc = case("disc-rests-on-ramp");

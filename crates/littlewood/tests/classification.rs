@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use crate::common::{heavy_motion, massless_hoop, start};
 use littlewood::theory::{RollingType, SlidingLaw, StartRegion, closed_form};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Proof, Sample, SlipDirection,
-    Start,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Proof, RotationDirection,
+    Sample, SlipDirection, Start,
 };
 use littlewood_random::Draw;
 use proptest::prelude::*;
@@ -282,7 +282,8 @@ fn a_slide_that_is_unloaded_to_the_bit_is_a_candidate_only_where_p_is_negative()
                     .classify(Start::at(theta, rate).with_slip(slip))
                     .expect("a valid start");
                 let direction = SlipDirection::of_sign(slip).expect("slips");
-                let law = SlidingLaw::new(&hoop, direction).expect("heavy");
+                let law =
+                    SlidingLaw::new(&hoop, direction, RotationDirection::Positive).expect("heavy");
                 let (mode, region) = if law.painleve(theta) > 0.0 {
                     (Some(Mode::Flight), StartRegion::LossOfContact)
                 } else {

@@ -7,8 +7,8 @@ use crate::common::{instants, none_differ};
 use littlewood::modes::PhaseSolution;
 use littlewood::theory::{Body, ContactForces, RollingLaw, SlidingLaw};
 use littlewood::{
-    Cause, Hoop, Limits, Mode, OutcomeKind, Phase, Restitution, RestitutionLaw, Sample,
-    SlipDirection, Start, State, Trajectory,
+    Cause, Hoop, Limits, Mode, OutcomeKind, Phase, Restitution, RestitutionLaw, RotationDirection,
+    Sample, SlipDirection, Start, State, Trajectory,
 };
 use littlewood_random::Draw;
 
@@ -224,7 +224,8 @@ fn goes_on(motion: &Trajectory, index: usize, stop: &Sample) -> Option<bool> {
             // A motion goes on holding what it held, where a start may also skid, or fly.
             return None;
         }
-        let law = SlidingLaw::new(hoop, SlipDirection::Positive).expect("heavy");
+        let law = SlidingLaw::new(hoop, SlipDirection::Positive, RotationDirection::Positive)
+            .expect("heavy");
         let w = law.contact(state.theta, state.theta_rate);
         let sizes = Sizes::of(hoop, &Start::from(state));
         assert!(

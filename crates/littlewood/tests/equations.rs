@@ -7,7 +7,7 @@ use littlewood::modes::{PhaseSolution, RollingOrbit};
 use littlewood::theory::{
     Body, ContactForces, PhasePlane, RollingLaw, SlidingLaw, Window, gliding_accelerations,
 };
-use littlewood::{Hoop, HoopParameters, SlipDirection, Start};
+use littlewood::{Hoop, HoopParameters, RotationDirection, SlipDirection, Start};
 use proptest::prelude::*;
 
 fn inertia(hoop: &Hoop) -> f64 {
@@ -55,7 +55,7 @@ proptest! {
     #[test]
     fn sliding_satisfies_2_16_and_2_17(hoop in heavy_hoop(), start in start(), positive in any::<bool>()) {
         let direction = if positive { SlipDirection::Positive } else { SlipDirection::Negative };
-        let law = SlidingLaw::new(&hoop, direction).expect("a heavy hoop");
+        let law = SlidingLaw::new(&hoop, direction, RotationDirection::Positive).expect("a heavy hoop");
         prop_assume!(law.painleve(start.theta).abs() > 1e-9);
         let found = law.accelerations(start.theta, start.theta_rate);
         let (m, h, l, sign) = (hoop.mass(), hoop.h(), hoop.offset(), direction.sign());
@@ -102,7 +102,7 @@ proptest! {
     #[test]
     fn an_orbit_is_algebraic(hoop in heavy_hoop(), start in start(), elapsed in 0.0..30.0_f64) {
         let law = RollingLaw::new(&hoop);
-        let orbit = RollingOrbit::new(&hoop, start.theta, start.theta_rate);
+        let orbit = RollingOrbit::new(&hoop, start.theta, start.theta_rate).expect("no resistance");
         let (theta, rate) = orbit.position(elapsed);
         let k = |theta: f64, rate: f64| law.denominator(theta) * (1.0 + rate * rate);
         let (before, after) = (k(start.theta, start.theta_rate), k(theta, rate));

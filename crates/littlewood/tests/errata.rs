@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use littlewood::cases::find_case;
 use littlewood::modes::{PhaseSolution, RollingOrbit};
 use littlewood::theory::{Body, GlidingIntegrals, Massless, PhasePlane, SlidingLaw, closed_form};
-use littlewood::{Hoop, HoopParameters, Limits, Mode, SlipDirection, Start};
+use littlewood::{Hoop, HoopParameters, Limits, Mode, RotationDirection, SlipDirection, Start};
 
 fn massless(offset: f64) -> Massless {
     let hoop = Hoop::new(HoopParameters::thin(0.0).with_offset(offset)).expect("a massless hoop");
@@ -38,7 +38,10 @@ fn figure_5_has_half_of_the_slip_angle() {
 /// θ(τ) of (3.1) by the library's orbit, which another test holds against the equation of motion.
 fn rolled(theta: f64, rate: f64, elapsed: f64) -> f64 {
     let hoop = Hoop::littlewood(1e9, 0.0).expect("a hoop that does not slip");
-    RollingOrbit::new(&hoop, theta, rate).position(elapsed).0
+    RollingOrbit::new(&hoop, theta, rate)
+        .expect("no resistance")
+        .position(elapsed)
+        .0
 }
 
 /// (3.1) by classical Runge–Kutta steps: independent of any closed form.
@@ -174,7 +177,8 @@ fn a_negative_normal_force_of_rolling_is_no_lift_off() {
         assert_eq!(first.mode, Mode::Sliding);
         assert!(first.normal > 0.0);
         let direction = first.direction.expect("slips");
-        let law = SlidingLaw::new(&hoop, direction).expect("a heavy hoop");
+        let law =
+            SlidingLaw::new(&hoop, direction, RotationDirection::Positive).expect("a heavy hoop");
         assert!(direction.sign() * law.accelerations(theta, rate).slip > 0.0);
         // Only the other side of the lift-off curve leaves at once.
         let above = hoop

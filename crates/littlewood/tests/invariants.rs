@@ -12,8 +12,8 @@ use crate::common::{
 use littlewood::modes::PhaseSolution;
 use littlewood::theory::{Body, GlidingIntegrals, SlidingLaw};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Mode, Outcome, Phase, Sample, SlipDirection, Start, State,
-    Trajectory,
+    Cause, Hoop, HoopParameters, Mode, Outcome, Phase, RotationDirection, Sample, SlipDirection,
+    Start, State, Trajectory,
 };
 use proptest::prelude::*;
 
@@ -107,7 +107,8 @@ pub(crate) fn check_phase(
                 let Some(direction) = phase.direction() else {
                     unreachable!()
                 };
-                let law = SlidingLaw::new(hoop, direction).expect("a heavy hoop");
+                let law = SlidingLaw::new(hoop, direction, RotationDirection::Positive)
+                    .expect("a heavy hoop");
                 let (p, rounding_of_p) = painleve(hoop, &law, &now.state);
                 if p <= rounding_of_p {
                     continue; // the end of a singular slide, where N is infinite

@@ -7,7 +7,7 @@ use littlewood::impact::ImpactCase;
 use littlewood::theory::{Body, SlidingLaw};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Restitution, RestitutionLaw,
-    Start, Trajectory,
+    RotationDirection, Start, Trajectory,
 };
 use littlewood_random::Draw;
 use proptest::prelude::*;
@@ -337,7 +337,7 @@ proptest! {
         let restitution = Restitution::new(e, RestitutionLaw::Energetic).expect("a coefficient");
         let motion = hoop.with_restitution(restitution).expect("heavy").simulate(start, limits()).expect("a valid start");
         let direction = littlewood::SlipDirection::of_sign(start.slip).expect("slips");
-        let law = SlidingLaw::new(&hoop, direction).expect("heavy");
+        let law = SlidingLaw::new(&hoop, direction, RotationDirection::Positive).expect("heavy");
         let (p, w) = (law.painleve(start.theta), law.contact(start.theta, start.theta_rate));
         if p < 0.0 && w > 0.0 {
             prop_assert!(plain.phases().is_empty() && plain.outcome().kind() == OutcomeKind::Inconsistent);

@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 use littlewood::modes::GrazingOrbit;
 use littlewood::theory::{RollingLaw, SlidingLaw};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, SlipDirection, Start, State,
-    Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Proof, RotationDirection, SlipDirection,
+    Start, State, Trajectory,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -446,8 +446,9 @@ fn rest_is_proved_to_last_up_to_the_first_zero_of_p() {
                     .with_offset(h)
                     .with_inertia(bound * part);
                 let hoop = Hoop::new(parameters.with_friction(mu, mu)).expect("a valid hoop");
-                let laws = [SlipDirection::Negative, SlipDirection::Positive]
-                    .map(|direction| SlidingLaw::new(&hoop, direction).expect("heavy"));
+                let laws = [SlipDirection::Negative, SlipDirection::Positive].map(|direction| {
+                    SlidingLaw::new(&hoop, direction, RotationDirection::Positive).expect("heavy")
+                });
                 let first = (0..=20_000)
                     .map(|k| PI * (1.0 - f64::from(k) / 20_000.0))
                     .find(|theta| laws.iter().any(|law| law.painleve(*theta) <= 0.0));

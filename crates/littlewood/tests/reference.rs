@@ -227,7 +227,7 @@ fn rolling_times_agree_with_quadrature() {
     for arc in arcs {
         let name = arc["name"].as_str().expect("a name");
         let (theta, rate) = (number(&arc["theta0"]), number(&arc["theta_rate0"]));
-        let orbit = RollingOrbit::new(&hoop(arc), theta, rate);
+        let orbit = RollingOrbit::new(&hoop(arc), theta, rate).expect("no resistance");
         let (target, time) = (number(&arc["theta1"]), number(&arc["time"]));
         let tolerance = near_separatrix(&hoop(arc), theta, rate);
         let (reached, rate) = orbit.position(time);
@@ -240,7 +240,7 @@ fn rolling_times_agree_with_quadrature() {
     for item in data["periods"].as_array().expect("a list of periods") {
         let name = item["name"].as_str().expect("a name");
         let (theta, rate) = (number(&item["theta0"]), number(&item["theta_rate0"]));
-        let orbit = RollingOrbit::new(&hoop(item), theta, rate);
+        let orbit = RollingOrbit::new(&hoop(item), theta, rate).expect("no resistance");
         let (kind, period) = match orbit.recurrence() {
             Recurrence::Rotation { period } => ("rotation", period),
             Recurrence::Libration { period, .. } => ("libration", period),

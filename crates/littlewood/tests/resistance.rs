@@ -4,10 +4,10 @@
 
 use littlewood::energy::EnergyLedger;
 use littlewood::modes::Recurrence;
-use littlewood::theory::PhasePlane;
+use littlewood::theory::{ContactForces, PhasePlane, RollingLaw, SlidingLaw};
 use littlewood::{
-    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Phase, RestitutionLaw, Sample,
-    SlipDirection, Start, State, Trajectory, Transition,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, Phase, RestitutionLaw,
+    RotationDirection, Sample, SlipDirection, Start, State, Trajectory, Transition,
 };
 use littlewood_random::Draw;
 use serde_json::Value;
@@ -91,6 +91,55 @@ impl Comparison {
             ("energy", ours.energy),
         ] {
             self.close(&format!("{what} {key}"), value, &theirs[key]);
+        }
+    }
+
+    /// The public laws of rolling and of sliding, and the phase plane.
+    fn laws(&self, hoop: &Hoop, ours: &Sample, theirs: &Value) {
+        let (theta, rate) = (ours.state.theta, ours.state.theta_rate);
+        let close = |law: &str, forces: ContactForces, theta_acceleration: Option<f64>| {
+            self.close(law, forces.normal, &theirs["normal"]);
+            self.close(law, forces.friction, &theirs["friction"]);
+            // The reference has no accelerations; ours obeys Euler's equation.
+            let [normal, friction, couple] =
+                ["normal", "friction", "couple"].map(|name| number(&theirs[name]));
+            let (sin, cos) = theta.sin_cos();
+            let moment = hoop.h() * sin * normal + (1.0 + hoop.h() * cos) * friction + couple;
+            for value in theta_acceleration
+                .into_iter()
+                .chain([ours.theta_acceleration])
+            {
+                let error = (hoop.body().inertia_about_mass_centre() * value - moment).abs();
+                assert!(
+                    error <= self.tolerance * normal.abs().max(1.0),
+                    "{law} {}",
+                    self.name
+                );
+            }
+        };
+        match ours.mode {
+            Mode::Rolling | Mode::Rest => {
+                let law = RollingLaw::new(hoop);
+                let forces = law.forces(theta, rate);
+                close(
+                    "RollingLaw",
+                    forces,
+                    Some(law.theta_acceleration(theta, rate)),
+                );
+                close(
+                    "PhasePlane",
+                    PhasePlane::new(hoop).forces(theta, rate),
+                    None,
+                );
+            }
+            Mode::Sliding => {
+                let slip = ours.direction.expect("slips");
+                let rotation = RotationDirection::of_sign(rate).expect("turns");
+                let law = SlidingLaw::new(hoop, slip, rotation).expect("heavy");
+                let found = law.accelerations(theta, rate);
+                close("SlidingLaw", law.forces(theta, rate), Some(found.theta));
+            }
+            Mode::Skidding | Mode::Flight | Mode::Gliding => {}
         }
     }
 
@@ -217,13 +266,7 @@ fn compare() -> usize {
             let mode = ours.mode.name();
             assert_eq!(mode, name(&theirs["mode"]), "{}", comparison.name);
             comparison.sample(mode, &ours, sample);
-            if [Mode::Rolling, Mode::Rest].contains(&ours.mode) {
-                let plane = PhasePlane::new(&hoop);
-                let forces = plane.forces(ours.state.theta, ours.state.theta_rate);
-                comparison.close("normal in the plane", forces.normal, &sample["normal"]);
-                let friction = &sample["friction"];
-                comparison.close("friction in the plane", forces.friction, friction);
-            }
+            comparison.laws(&hoop, &ours, sample);
         }
         comparison.energies(&motion, reference);
         if reference["law"].is_null() {
@@ -352,51 +395,6 @@ fn a_large_half_swing_loses_what_the_theory_says_to_first_order() {
     let motion = simulate(&hoop, Start::at(PI - start, 0.0), Limits::default());
     let turned = motion.transitions()[0].before.theta - PI;
     close(start - turned, expected, 5.0 * chi * expected);
-}
-
-/// From the notes of the theory: skids to τ = 1.666666667, rolls, turns, and rests.
-#[test]
-fn a_skid_need_not_end_at_rest() {
-    let parameters = HoopParameters::thin(1.0)
-        .with_offset(0.6)
-        .with_inertia(0.5)
-        .with_friction(0.4, 0.3)
-        .with_rolling_resistance(0.1);
-    let hoop = Hoop::new(parameters).expect("a valid hoop");
-    let motion = simulate(
-        &hoop,
-        Start::at(1.21625, 0.0).with_slip(0.5),
-        Limits::default(),
-    );
-    let causes: Vec<Cause> = motion.transitions().iter().map(|it| it.cause).collect();
-    assert_eq!(
-        causes,
-        [Cause::Stick, Cause::TurningPoint, Cause::TurningPoint]
-    );
-    for (transition, time) in
-        motion
-            .transitions()
-            .iter()
-            .zip([1.666666667, 9.273748402, 14.997017142])
-    {
-        close(transition.time(), time, 5e-10);
-    }
-    assert_eq!(motion.summary().sequence.to_string(), "SR0");
-}
-
-#[test]
-fn a_rim_hoop_that_slips_from_rest_may_have_no_motion() {
-    let hoop = |chi: f64| {
-        let parameters = HoopParameters::thin(5.256_407_325e-4)
-            .with_friction(0.080_988_7, 0.035_455_5)
-            .with_rolling_resistance(chi);
-        Hoop::new(parameters).expect("a valid hoop")
-    };
-    let start = Start::at(0.119_757_0, 0.704_997_0);
-    let motion = simulate(&hoop(0.419_847_7), start, Limits::default());
-    assert_eq!(motion.outcome().kind(), OutcomeKind::Inconsistent);
-    let free = simulate(&hoop(0.0), start, Limits::until(0.1));
-    assert_eq!(free.phases()[0].mode(), Mode::Rolling);
 }
 
 /// It rolls with θ″ = m (gt − ς χ gn)/(Î + m), and on the level it can slip by its own resistance.

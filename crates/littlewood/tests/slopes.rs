@@ -62,7 +62,7 @@ fn check_balances(hoop: &Hoop, now: &Sample) -> Result<(), TestCaseError> {
 
 /// The energy of an orbit is kept.
 fn check_energy(hoop: &Hoop, start: Start, elapsed: f64) -> Result<(), TestCaseError> {
-    let orbit = RollingOrbit::new(hoop, start.theta, start.theta_rate);
+    let orbit = RollingOrbit::new(hoop, start.theta, start.theta_rate).expect("no resistance");
     let (theta, rate) = orbit.position(elapsed);
     let law = RollingLaw::new(hoop);
     let [energy, later] = [(start.theta, start.theta_rate), (theta, rate)]

@@ -284,6 +284,33 @@ def test_where_rolling_has_a_paradox():
     assert seen == {True, False}
 
 
+def test_one_orbit_of_rolling_passes_through_the_zero_of_its_denominator():
+    """It has u = kappa/beta and a positive normal force there; its neighbours stop or speed up."""
+    body = Body(0.001, 1.0, 0.001, 9.0, 9.0, 0.5)
+    m, h, chi = body.m, body.h, body.chi
+    a0 = body.i + m * (1 + h * h)
+    # 2 cos - chi sin = -A/l with D_chi falling in the direction of motion.
+    theta = gmpy2.acos(-a0 / body.l / gmpy2.sqrt(4 + chi**2)) - gmpy2.atan2(chi, mpfr(2))
+    s, c = gmpy2.sin_cos(theta)
+    a, slope = h * s, -2 * body.l * s - chi * body.l * c
+    kappa, beta = chi - a, a + h * c * chi
+    assert abs(a0 + 2 * body.l * c - chi * body.l * s) < 1e-50
+    assert slope < 0 < beta
+    u = kappa / beta
+    # du/dtheta = 2 m B/D_chi as a quotient of derivatives, B = a - chi + u (a + h c chi).
+    steep = 2 * m * (h * c + u * (h * c - h * s * chi)) / (slope - 2 * m * beta)
+    near = mpfr("1e-12")
+    on, beside = [], []
+    for step in (-near, near):
+        square = u + steep * step
+        for found, add in ((on, 0), (beside, mpfr("1e-6"))):
+            state = State(theta + step, gmpy2.sqrt(square + add), mpfr(0), mpfr(0))
+            found.append(answer(body, contact_mode(0, 1), state).normal)
+    assert on[0] > 0.01 and abs(on[0] - on[1]) < 1e-9
+    # Beside it the normal force has a pole.
+    assert beside[0] * beside[1] < 0 and min(map(abs, beside)) > 1e3
+
+
 def test_the_jam_of_rolling_stops_the_hoop_dead(file):
     """P = m |a theta'|, friction impulse m d theta', loss D theta'^2/2; then the hoop rests."""
     count = 0
@@ -395,10 +422,31 @@ def test_the_window_of_the_rotation():
         assert found.square_rate == pytest.approx(k / (a + 2 * it.l) - it.down, rel=1e-4)
     edges = [1 + kappa * (a + 2 * it.l) * f / (4 * it.m) for f in (1, 1 + 1 / it.h)]
     assert edges == pytest.approx([1.0296, 1.1481], abs=5e-5)
-    # Rotations slower than the periodic one do not slip.
-    assert rotation(body(1.14, 1.0), 2.0, 1).demand < 1
-    with pytest.raises(Tie, match="slip"):
-        rotation(body(1.142, 1.0), 2.0, 1)
+    # Rotations slower than the periodic one do not slip: to three decimals from 1.128 and 1.141 on.
+    for mu, slips in ((0.5, 1.128), (1.0, 1.141)):
+        assert rotation(body(slips - 5e-4, mu), 2.0, 1).demand < mu
+        with pytest.raises(Tie, match="slip"):
+            rotation(body(slips + 5e-4, mu), 2.0, 1)
+
+
+def test_where_a_periodic_rotation_presses_least():
+    """At the top if K (A - 2 l) >= (A + 2 l)^2, else where D^3 = K (A^2 - 4 l^2); g_n = 1."""
+    random = np.random.default_rng(6)
+    theta, at_top = np.linspace(0, np.pi, 20_001), set()
+    for _ in range(200):
+        mass_ratio, offset = random.uniform(0.05, 3), random.uniform(0.2, 1)
+        m, h = 1 + mass_ratio, offset / (1 + mass_ratio)
+        a = m + mass_ratio * random.uniform(0.3, 1) + offset**2
+        k = (a + 2 * offset) * (1 + random.uniform(0, 1) / h)
+        d, s, c = a + 2 * offset * np.cos(theta), np.sin(theta), np.cos(theta)
+        # u = K/D - 1, and theta'' = u'/2.
+        normal = 1 - h * s * offset * s * k / d**2 - h * c * (k / d - 1)
+        least = d[normal.argmin()]
+        is_top = k * (a - 2 * offset) >= (a + 2 * offset) ** 2
+        expected = a + 2 * offset if is_top else np.cbrt(k * (a * a - 4 * offset**2))
+        assert least == pytest.approx(expected, rel=1e-3)
+        at_top.add(bool(is_top))
+    assert at_top == {True, False}
 
 
 def test_segments_of_an_impact():
@@ -457,6 +505,33 @@ def test_at_rest_on_the_level_exactly_one_motion_follows():
     """The row that the theory proves, at random states."""
     found = survey.sets(survey.draw(np.random.default_rng(7), 20_000, 0, 0, 0))
     assert set(found) == {"rest", "rolling", "sliding"}
+
+
+def test_sets_of_modes_at_random_states():
+    """The table of the theory: its sets, and the shares of states without a motion."""
+    count, random = 20_000, np.random.default_rng(8)
+    for slope, slips, turns in itertools.product((0, 1), repeat=3):
+        found = survey.sets(survey.draw(random, count, slope, slips, turns))
+        share = {(0, 0): 0, (0, 1): 0.10, (1, 0): 0.14, (1, 1): 0.23}[slips, turns]
+        assert found.get("none", 0) / count == pytest.approx(share, abs=0.01)
+        several = {name for name in found if " " in name}
+        assert several <= {
+            (0, 0): {"rolling skidding"} if slope else set(),
+            (0, 1): {"sliding flight", "rolling flight"},
+            (1, 0): set(),
+            (1, 1): {"sliding flight"},
+        }[slips, turns]
+
+
+def test_without_resistance_a_level_state_without_slip_has_exactly_one_motion():
+    """With one coefficient of friction; with resistance some have none, and a few several."""
+    random = np.random.default_rng(5)
+    states = survey.draw(random, 80_000, 0, 0, 1)
+    states["mu_k"] = states["mu_s"]
+    found = survey.sets(states)
+    assert found["none"] > 1000 and any(" " in name for name in found)
+    found = survey.sets(states | {"chi": np.zeros(80_000)})
+    assert set(found) == {"rolling", "sliding", "flight"}
 
 
 def test_a_massless_hoop_is_caught_where_its_particle_turns():

@@ -188,8 +188,8 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_enum, help_heading = "Output")]
     pub(crate) format: Option<Format>,
     /// Sample N instants, evenly spaced in time, and every transition. An endless motion is sampled
-    /// to --until, or for two periods of its last phase (10 units of time if it has no period); a
-    /// motion that ends at its start has one sample
+    /// to --until, or for two periods of its last phase (10 units of time if it has no period), one
+    /// that rests for a quarter longer than it moved; a motion that ends at its start has one sample
     #[arg(
         long,
         value_name = "N",

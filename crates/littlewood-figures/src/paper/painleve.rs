@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 
 use littlewood::tables::Quantity;
 use littlewood::theory::{Body, PhasePlane, SlidingLaw, Window};
-use littlewood::{Hoop, HoopParameters, ParameterError, SlipDirection};
+use littlewood::{Hoop, HoopParameters, ParameterError, RotationDirection, SlipDirection};
 use littlewood_draw::{
     Content, Entries, FRICTION_FORCE, Figure, HATCH, INK, Label, Layer, Mark, SMALL, SOFT, Series,
     Stroke, marked, short,
@@ -56,7 +56,11 @@ impl Threshold {
     fn new(hoop: &Hoop) -> Result<Option<Self>, ParameterError> {
         let law = |mu: f64| {
             let hoop = Hoop::new(hoop.parameters().with_friction(mu, mu))?;
-            Ok::<_, ParameterError>(SlidingLaw::new(&hoop, SlipDirection::Positive))
+            Ok::<_, ParameterError>(SlidingLaw::new(
+                &hoop,
+                SlipDirection::Positive,
+                RotationDirection::Positive,
+            ))
         };
         Ok(match hoop.body() {
             Body::Heavy(_) => law(0.0)?

@@ -20,7 +20,8 @@
 use crate::math::form::Trigonometric;
 use crate::math::number::Number;
 use crate::math::trig::{Angle, above_bottom};
-use crate::model::{Body, Heavy, Hoop, SlipDirection, State};
+use crate::mechanics::resisted::ResistedRollingLaw;
+use crate::model::{Body, Heavy, Hoop, RotationDirection, SlipDirection, State};
 
 /// Contact forces, in m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -187,6 +188,10 @@ pub(crate) fn energy_of<T: Number>(
 }
 
 /// The equations of rolling (2.10) to (2.12) of one body, massless or not.
+///
+/// With rolling resistance θ″, N and F depend on the sign of θ′. Where θ′ = 0 they are those with
+/// which the hoop begins to turn as its weight pulls, or of rest in the band of rest
+/// (docs/theory/rolling-resistance.md); the energy decreases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RollingLaw<T = f64> {
     pub(crate) mass: T,
@@ -203,6 +208,8 @@ pub struct RollingLaw<T = f64> {
     pub(crate) mass_inertia: T,
     /// Gravity normal to the plane: cos α for users, 1 for the solvers ([`crate::walk::Origin`]).
     pub(crate) normal_gravity: T,
+    /// χ for users; the solvers of rolling with resistance have [`ResistedRollingLaw`].
+    pub(crate) rolling_resistance: T,
 }
 
 impl<T: Number> RollingLaw<T> {
@@ -220,6 +227,7 @@ impl<T: Number> RollingLaw<T> {
             mass_inertia: mass * inertia,
             tilt: body.tilt,
             normal_gravity: T::constant(1.0),
+            rolling_resistance: T::constant(0.0),
         }
     }
 
@@ -303,7 +311,24 @@ impl RollingLaw {
 
     /// The equations in units in which gravity normal to the plane is 1.
     pub(crate) fn of(hoop: &Hoop) -> Self {
-        Self::of_body(&hoop.rigid_body())
+        Self {
+            rolling_resistance: hoop.rolling_resistance(),
+            ..Self::of_body(&hoop.rigid_body())
+        }
+    }
+
+    /// The equations in the direction in which the hoop turns, with rolling resistance, in units in
+    /// which gravity normal to the plane is 1; none where it rests. From rest the weight decides.
+    fn resisted(&self, Angle { sin, cos }: Angle, theta_rate: f64) -> Option<ResistedRollingLaw> {
+        // The arm of the weight, as `HeldLaw` has it.
+        let h = self.offset / self.mass;
+        let arm = (h * cos + 1.0) * self.tilt + h * sin;
+        let rests = theta_rate == 0.0 && arm.abs() <= self.rolling_resistance;
+        let turns = if theta_rate == 0.0 { arm } else { theta_rate };
+        (!rests).then(|| ResistedRollingLaw {
+            rolling: *self,
+            resistance: self.rolling_resistance.copysign(turns),
+        })
     }
 
     /// D(θ), the denominator of (2.11): twice the kinetic energy of rolling over θ′². A sum of
@@ -336,6 +361,12 @@ impl RollingLaw {
 
     /// Angular acceleration θ″ = f_R(θ, θ′) (2.11). Undefined where D = 0 (footnote 8).
     pub fn theta_acceleration(&self, theta: f64, theta_rate: f64) -> f64 {
+        if self.rolling_resistance > 0.0 {
+            let (gravity, angle) = (self.normal_gravity, Angle::of(theta));
+            let u = theta_rate * theta_rate / gravity;
+            let law = self.resisted(angle, theta_rate);
+            return law.map_or(0.0, |law| gravity * law.acceleration(angle, u));
+        }
         self.acceleration(
             theta.angle(),
             self.loads(theta_rate),
@@ -346,6 +377,21 @@ impl RollingLaw {
     /// Normal and friction force (2.12). In 𝓡 of (2.14) they are the contact forces; elsewhere,
     /// those that rolling would require.
     pub fn forces(&self, theta: f64, theta_rate: f64) -> ContactForces {
+        if self.rolling_resistance > 0.0 {
+            let (gravity, angle) = (self.normal_gravity, Angle::of(theta));
+            let u = theta_rate * theta_rate / gravity;
+            let rest = ContactForces {
+                normal: self.mass,
+                // Never −0.
+                friction: self.mass * self.tilt + 0.0,
+            };
+            let law = self.resisted(angle, theta_rate);
+            let ContactForces { normal, friction } = law.map_or(rest, |law| law.forces(angle, u));
+            return ContactForces {
+                normal: gravity * normal,
+                friction: gravity * friction,
+            };
+        }
         self.forces_at(
             theta.angle(),
             self.loads(theta_rate),
@@ -365,7 +411,7 @@ impl RollingLaw {
         self.offset == 0.0 || (theta_rate * theta_rate == 0.0 && drive.abs() <= rounding)
     }
 
-    /// Conserved energy E = D θ′²/2 + ℓ̂ cos θ cos α − (m θ + ℓ̂ sin θ) sin α (2.8, and 3.2 for
+    /// Energy, conserved without rolling resistance: E = D θ′²/2 + ℓ̂ cos θ cos α − (m θ + ℓ̂ sin θ) sin α (2.8, and 3.2 for
     /// Littlewood's hoop), where x = −θ.
     pub fn energy(&self, theta: f64, theta_rate: f64) -> f64 {
         let kinetic = 0.5 * self.denominator(theta) * theta_rate * theta_rate;
@@ -373,7 +419,8 @@ impl RollingLaw {
     }
 
     /// The angles of the unstable and of the stable equilibrium, sin(θ + α) = −sin α/h: 0 and π on
-    /// a level plane. None where the slope exceeds asin h, and for a balanced hoop.
+    /// a level plane. None where the slope exceeds asin h, and for a balanced hoop. With rolling
+    /// resistance they are where it holds nothing, within the bands of rest.
     pub fn equilibria(&self) -> Option<[f64; 2]> {
         if self.tilt == 0.0 {
             return (self.offset > 0.0).then_some([0.0, core::f64::consts::PI]);
@@ -386,8 +433,8 @@ impl RollingLaw {
         })
     }
 
-    /// Energy on the separatrix through the unstable equilibrium, E = ℓ̂ on a level plane; NaN
-    /// without such an equilibrium.
+    /// Energy at the unstable equilibrium, that of the separatrix through it without rolling
+    /// resistance: E = ℓ̂ on a level plane; NaN without such an equilibrium.
     pub fn separatrix_energy(&self) -> f64 {
         if self.tilt == 0.0 {
             return self.offset;
@@ -498,12 +545,14 @@ impl<T: Number> SlidingLaw<T> {
 }
 
 impl SlidingLaw {
-    /// The equations of a hoop that slips in `direction`; `None` for a massless hoop, which glides.
-    pub fn new(hoop: &Hoop, direction: SlipDirection) -> Option<Self> {
+    /// The equations of a hoop that slips and turns in these directions; `None` for a massless
+    /// hoop, which glides. The direction of rotation matters with rolling resistance only.
+    pub fn new(hoop: &Hoop, slip: SlipDirection, rotation: RotationDirection) -> Option<Self> {
         match hoop.body() {
             Body::Heavy(body) => Some(Self {
                 normal_gravity: libm::cos(hoop.slope()),
-                ..Self::of_body(body, hoop.mu_k(), direction)
+                resistance: hoop.rolling_resistance() * rotation.sign() + 0.0,
+                ..Self::of_body(body, hoop.mu_k(), slip)
             }),
             Body::Massless(_) => None,
         }

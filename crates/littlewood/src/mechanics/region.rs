@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use crate::math::number::Number;
 use crate::math::trig::Angle;
-use crate::mechanics::{ContactForces, HeldLaw, Loads, ResistedRollingLaw, RollingLaw};
+use crate::mechanics::{ContactForces, Loads, RollingLaw};
 use crate::model::{Body, Hoop, RotationDirection, SlipDirection};
 
 /// The phase plane of the rolling motions of one hoop.
@@ -84,32 +84,7 @@ impl PhasePlane {
 
     /// The same in units in which gravity normal to the plane is 1.
     pub(crate) fn forces_at_unit_gravity(&self, theta: f64, rate: f64) -> ContactForces {
-        if self.is_even() {
-            self.law.forces(theta, rate)
-        } else {
-            self.resisted_forces(Angle::of(theta), rate)
-        }
-    }
-
-    /// The same with rolling resistance. At θ′ = 0 the hoop begins to turn as its weight pulls, or
-    /// rests.
-    fn resisted_forces(&self, angle: Angle, rate: f64) -> ContactForces {
-        let body = self.hoop.rigid_body();
-        let coefficient = self.hoop.rolling_resistance();
-        let arm = HeldLaw {
-            body,
-            friction: 0.0,
-        }
-        .arm_of_rest(angle);
-        if rate == 0.0 && arm.abs() <= coefficient {
-            return ContactForces {
-                normal: body.mass,
-                friction: body.mass * body.pull(),
-            };
-        }
-        let turns = if rate == 0.0 { -arm } else { rate };
-        let resistance = coefficient.copysign(turns);
-        ResistedRollingLaw::of_body(&body, resistance).forces(angle, rate * rate)
+        self.law.forces(theta, rate)
     }
 
     /// Region 𝓝 of (2.14): N > 0.

@@ -105,7 +105,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
         if !self.turns_back {
             self.summary.sequence.push(phase.mode, phase.direction);
         }
-        self.swings = phase.mode == Mode::Rolling && phase.start.theta_rate == 0.0;
+        self.swings = phase.swings();
         (self.flight, self.gap_rate) = (None, 0.0);
         let Some(flight) = solution.flight() else {
             return;

@@ -530,7 +530,7 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             cause,
             arrival,
         } => {
-            cursor.half_swings += usize::from(is_half_swing(&phase, cause));
+            cursor.half_swings += usize::from(phase.swings() && cause == Cause::TurningPoint);
             let ended = ended(Some(cause), point, arrival);
             Ok(after_event(solver, cursor, ended))
         }
@@ -565,12 +565,6 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             Err(outcome)
         }
     }
-}
-
-/// Whether a phase that ends by `cause` rolled from one turning point to the next.
-fn is_half_swing(phase: &PhaseRecord, cause: Cause) -> bool {
-    let rolls_from_rest = phase.mode == Mode::Rolling && phase.start.theta_rate == 0.0;
-    rolls_from_rest && cause == Cause::TurningPoint
 }
 
 /// The event of an impact. The motion ends before the impact if the state after it is not

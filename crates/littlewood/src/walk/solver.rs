@@ -205,3 +205,10 @@ pub(crate) struct PhaseRecord {
     pub(crate) start: State,
     pub(crate) end: Option<State>,
 }
+
+impl PhaseRecord {
+    /// Whether the hoop rolls from a turning point: to the next one it is a half swing.
+    pub(crate) fn swings(&self) -> bool {
+        self.mode == Mode::Rolling && self.start.theta_rate == 0.0
+    }
+}

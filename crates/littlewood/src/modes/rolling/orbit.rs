@@ -20,7 +20,7 @@ use super::rim::RimOrbit;
 /// ψ at the top or the turning point.
 const QUARTER: Angle = Angle { sin: 1.0, cos: 0.0 };
 
-/// The orbit of a rolling body through a state.
+/// The orbit of a rolling body through a state, without rolling resistance.
 #[derive(Clone, Copy, Debug)]
 pub struct RollingOrbit {
     shape: OrbitShape,
@@ -57,14 +57,14 @@ enum OrbitKind {
 }
 
 impl RollingOrbit {
-    /// The orbit of `hoop` through (θ, θ′).
-    #[must_use]
-    pub fn new(hoop: &Hoop, theta: f64, theta_rate: f64) -> Self {
+    /// The orbit of `hoop` through (θ, θ′); `None` with rolling resistance, where energy is lost
+    /// and no orbit is one of constant energy.
+    pub fn new(hoop: &Hoop, theta: f64, theta_rate: f64) -> Option<Self> {
         let pace = hoop.pace();
-        Self {
+        (hoop.rolling_resistance() == 0.0).then(|| Self {
             pace,
             ..Self::of(hoop, theta, theta_rate / pace)
-        }
+        })
     }
 
     /// The orbit in units in which gravity normal to the plane is 1.

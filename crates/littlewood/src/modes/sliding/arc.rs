@@ -1089,7 +1089,7 @@ mod tests {
             let direction = if positive { SlipDirection::Positive } else { SlipDirection::Negative };
             let mu = libm::pow(10.0, exponent);
             let hoop = HoopParameters::thin(mass_ratio).with_offset(offset).with_inertia(own).with_friction(mu, mu);
-            let law = SlidingLaw::new(&Hoop::new(hoop).unwrap(), direction).unwrap();
+            let law = SlidingLaw::new(&Hoop::new(hoop).unwrap(), direction, RotationDirection::Positive).unwrap();
             // About half of the cases rotate; none lifts off at once.
             let rate = rate / law.body.h.sqrt();
             prop_assume!(law.contact(theta, rate) > 0.0);
