@@ -1,4 +1,5 @@
 //! The phase plane with rolling resistance, against forces, starts and motions.
+#![allow(clippy::disallowed_methods)] // expected values may come from the platform's mathematics
 
 use littlewood::theory::{PhasePlane, StartRegion, Window};
 use littlewood::{Hoop, HoopParameters, Limits, Mode, OutcomeKind, Start};
