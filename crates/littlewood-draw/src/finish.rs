@@ -221,12 +221,19 @@ fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool, each: f64) {
     let mut found = found.clone();
     if !is_short(&&found) {
         // Numbers that hardly differ are told from one of them.
-        let base = found[found.len() / 2].value;
+        let Tick { value: base, label } = found[found.len() / 2].clone();
         found
             .iter_mut()
             .for_each(|tick| tick.label = short(tick.value - base));
         let sign = if base < 0.0 { "+" } else { "−" };
-        let from = format!(" {sign} {}", ticks::minus(&base.abs().to_string()));
+        // The number of the tick has its digits, and none of rounding.
+        let number = label.trim_start_matches('−');
+        let number = if number.contains('.') {
+            number.trim_end_matches('0').trim_end_matches('.')
+        } else {
+            number
+        };
+        let from = format!(" {sign} {number}");
         let at = axis.title.find("  (").unwrap_or(axis.title.len());
         axis.title.insert_str(at, &from);
     }

@@ -25,13 +25,13 @@ enum Defect {
 
 /// How many figures of 30 motions, and of 300, may have each defect. What is mended lowers them.
 const KNOWN: [(Defect, [usize; 2]); 7] = [
-    (Defect::TextOnText, [1, 20]),
-    (Defect::TextOnCurve, [28, 400]),
-    (Defect::TextOutside, [0, 20]),
-    (Defect::PanelWithoutInk, [1, 20]),
-    (Defect::KeyWithoutMark, [6, 100]),
-    (Defect::CutWithoutMark, [1, 20]),
-    (Defect::AlikeInGrey, [0, 20]),
+    (Defect::TextOnText, [1, 9]),
+    (Defect::TextOnCurve, [18, 197]),
+    (Defect::TextOutside, [0, 5]),
+    (Defect::PanelWithoutInk, [1, 4]),
+    (Defect::KeyWithoutMark, [4, 43]),
+    (Defect::CutWithoutMark, [1, 9]),
+    (Defect::AlikeInGrey, [0, 0]),
 ];
 
 /// Pixels by which the box of letters reaches beyond their ink.

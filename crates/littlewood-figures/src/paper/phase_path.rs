@@ -190,7 +190,12 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     let window = window_of(input, &all);
     let portrait = Portrait::new(hoop, window);
     let (mut layers, curves) = ground(&portrait, input)?;
-    let mut keys = modes.entries(|mode| mode.to_string());
+    let mut seen = modes.clone();
+    seen.0.retain(|(_, series)| {
+        let pairs = series.pieces.iter().flat_map(|piece| piece.windows(2));
+        pairs.flatten().any(|row| is_inside(window, row))
+    });
+    let mut keys = seen.entries(|mode| mode.to_string());
     if motion.passed().next().is_some() {
         keys.push((TRANSITION, "transition".to_owned()));
     }
