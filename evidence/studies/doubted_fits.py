@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import csv
-from collections import Counter
+import functools
 
 from scipy.stats import binomtest
 
+from .film.command import KINDS
 from .film.faults import FAULTS, WRONG
 from .page import table
 from .study import PAGES, Study
@@ -15,10 +16,16 @@ WEAK = ("interval", "sequences")
 """Doubts that good tracks raise, too: they speak of one interval or one slip, not of the film."""
 
 
+@functools.cache
+def all_rows() -> list[dict[str, str]]:
+    """Return the lines of the table of fits."""
+    with (PAGES / "doubted-fits" / "films.csv").open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
 def rows_of(fault: str) -> list[dict[str, str]]:
     """Return the lines of a fault in the table of fits."""
-    with (PAGES / "doubted-fits" / "films.csv").open(encoding="utf-8") as file:
-        return [row for row in csv.DictReader(file) if row["fault"] == fault]
+    return [row for row in all_rows() if row["fault"] == fault]
 
 
 def is_wrong(row: dict[str, str]) -> bool:
@@ -42,54 +49,45 @@ def silent(rows: list[dict[str, str]]) -> int:
 
 
 def of_faults() -> list[str]:
-    """Return a line for each fault."""
+    """Return a line for each fault, with the three kinds of motion."""
     lines = []
-    for name, film in FAULTS.items():
-        rows = rows_of(name)
-        said = Counter(doubt for row in rows for doubt in doubts_of(row))
-        lines.append(
-            [
-                " ".join((film.__doc__ or name).split()).rstrip("."),
-                str(sum(map(is_wrong, rows))),
-                str(sum(bool(doubts_of(row)) for row in rows)),
-                str(silent(rows)),
-                str(unsaid(rows)),
-                ", ".join(f"`{doubt}` {count}" for doubt, count in said.most_common(1)),
-            ]
-        )
-    return table(
-        [
-            "fault",
-            "wrong",
-            "doubted",
-            "wrong and not doubted",
-            "wrong without any doubt",
-            "most raised",
-        ],
-        lines,
-    )
+    for name, fault in FAULTS.items():
+        cells = [" ".join((fault.__doc__ or name).split()).rstrip(".")]
+        for kind in KINDS:
+            rows = [row for row in rows_of(name) if row["kind"] == kind]
+            doubted = sum(bool(doubts_of(row)) for row in rows)
+            cells += [str(len(rows)), str(sum(map(is_wrong, rows))), str(doubted)]
+            cells += [str(silent(rows)), str(unsaid(rows))]
+        lines.append(cells)
+    said = ["fits", "wrong", "doubted", "wrong, not doubted", "wrong, no doubt at all"]
+    heads = [f"{kind}: {what}" if what == "fits" else what for kind in KINDS for what in said]
+    return table(["fault", *heads], lines)
+
+
+def faulty() -> list[dict[str, str]]:
+    """Return the lines of tracks with a fault."""
+    return [row for row in all_rows() if row["fault"] != "none"]
 
 
 def result() -> str:
-    """How many fits of all faulty films are wrong without a doubt."""
-    rows = [row for name in FAULTS if name != "none" for row in rows_of(name)]
-    return f"{silent(rows)} of {len(rows)}"
+    """How many fits of all faulty films are wrong without a doubt of the film."""
+    return f"{silent(faulty())} of {len(faulty())}"
+
+
+def mute() -> str:
+    """How many of them are wrong without any doubt, and what so many films leave possible."""
+    return f"{unsaid(faulty())}, so at most {at_most(faulty()):.1%}"
 
 
 def alarms() -> str:
-    """How many fits of good tracks are doubted."""
-    rows = rows_of("none")
-    return f"{sum(bool(doubts_of(row)) for row in rows)} of {len(rows)}"
-
-
-def weak() -> str:
-    """How many fits of good tracks raise the weak doubts."""
-    rows = rows_of("none")
-    return f"{sum(bool(row['doubts']) for row in rows)} of {len(rows)}"
-
-
-SEEN = 17
-"""Films of each fault that had been looked at when the last limit of a doubt was set."""
+    """How many good tracks of each kind are doubted, and what their doubt is."""
+    words = []
+    for kind in KINDS:
+        rows = [row for row in rows_of("none") if row["kind"] == kind]
+        unseen = sum("unseen" in doubts_of(row) for row in rows)
+        more = sum(bool(set(doubts_of(row)) - {"unseen"}) for row in rows)
+        words.append(f"{kind} {unseen} and {more} of {len(rows)}")
+    return ", ".join(words)
 
 
 def at_most(rows: list[dict[str, str]]) -> float:
@@ -100,28 +98,9 @@ def at_most(rows: list[dict[str, str]]) -> float:
     return float(binomtest(unsaid(rows), len(rows), alternative="less").proportion_ci(0.95).high)
 
 
-def fresh() -> str:
-    """How many fits of new films are wrong without any doubt.
-
-    And what these films, not seen before, leave possible.
-    """
-    rows = {
-        name: [row for row in rows_of(name) if int(row["film"]) >= SEEN]
-        for name in FAULTS
-        if name != "none"
-    }
-    together = [row for one in rows.values() for row in one]
-    worst = max(map(at_most, rows.values()))
-    return (
-        f"{unsaid(together)} of {len(together)} are wrong without any doubt, so at most "
-        f"{at_most(together):.1%} of all "
-        f"and at most {worst:.1%} of any one fault"
-    )
-
-
 STUDY = Study(
     name="doubted-fits",
-    texts={"result": result, "faults": of_faults, "alarms": alarms, "weak": weak, "fresh": fresh},
+    texts={"result": result, "faults": of_faults, "alarms": alarms, "mute": mute},
     pictures={},
 )
 """Fits of films with a fault that the fit does not know of."""

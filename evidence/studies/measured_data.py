@@ -128,6 +128,12 @@ def of_wrong_clocks() -> list[str]:
     return table(["standard error of g", "throws", "named"], lines)
 
 
+def named() -> str:
+    """How many of all throws with a wrong clock are named."""
+    found = sum(one.wrong is not None and one.wrong.is_wrong for one in throws())
+    return f"{found} of {len(throws())}"
+
+
 @functools.cache
 def fits() -> list[dict[str, str]]:
     """Return the lines of the table of fits."""
@@ -184,6 +190,7 @@ STUDY = Study(
         "refused": refused,
         "rates": of_rates,
         "clocks": of_wrong_clocks,
+        "named": named,
         "coverage": coverage,
         "68": lambda: within(0.994),
         "95": lambda: within(1.96),

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import littlewood as lw
+from littlewood.fitting import least_squares
 from littlewood.fitting.noise import Noise
 from littlewood.fitting.problem import Problem
 
@@ -408,6 +409,18 @@ def test_rolling_resistance_is_found_within_its_interval(chi):
     assert inside == 6
     # A mean square of 1, to about √(2/6); half of that where it cannot be negative.
     assert np.mean(np.square(pulls)) < 1.0 + 4.0 * math.sqrt(2 / 6)
+
+
+@pytest.mark.parametrize("mean", [3.0, 0.4, 0.0, -1.3, -15.0, -25.0])
+def test_what_is_positive_and_has_a_normal_error(mean):
+    """Against a sum over its density."""
+    size, value = 0.01, max(mean, 0.0) * 0.01
+    at = 12.0 * size / max(1.0, -0.2 * mean) * (np.arange(200_000) + 0.5) / 200_000
+    density = np.exp(-0.5 * np.square(at / size - mean) + 0.5 * min(mean, 0.0) ** 2)
+    expected = float(np.sum(density * np.square(at - value)) / np.sum(density))
+    found = least_squares._square_above_nothing(mean * size, size, value)
+    # What the tail of an exponential distribution leaves out is 6/400 of it.
+    assert found == pytest.approx(expected, rel=0.02 if mean < -20.0 else 1e-4)
 
 
 def test_a_held_rolling_resistance_that_is_wrong_is_named():

@@ -13,12 +13,14 @@ import sys
 import tempfile
 import warnings
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import littlewood as lw
 import numpy as np
 from littlewood import video
+from littlewood.video import synthetic
 from littlewood.video.files import FrameWriter
 
 from .throws import FREE, SECONDS
@@ -59,6 +61,12 @@ class Hard:
         What becomes of the frames.
     codec : str
         Ending of the file; "h264" is written by ffmpeg.
+    rate : float or None
+        Frames a second; those of the film by default.
+    other : dict, optional
+        What the hoop has in place of what is drawn. Whoever fits is told of it, but for the slope.
+    films : tuple of int, optional
+        Which films are made so.
     """
 
     words: str
@@ -66,6 +74,16 @@ class Hard:
     part: float | None = None
     change: Callable[[Film, Frames], Frames] = lambda film, frames: frames
     codec: str = ".avi"
+    rate: float | None = None
+    other: dict[str, Any] = field(default_factory=dict)
+    films: tuple[int, ...] = FILMS
+
+    def film_of(self, number: int) -> Film:
+        """Return a film with what makes it hard."""
+        film = film_of(number, **self.other)
+        if self.rate is not None:
+            film = replace(film, rate=self.rate)
+        return film if self.part is None else replace(film, exposure_s=self.part / film.rate)
 
 
 def uneven(film: Film, frames: Frames) -> Frames:
@@ -92,7 +110,24 @@ def cut(film: Film, frames: Frames) -> Frames:
         yield np.ascontiguousarray(frame[round(float(edge)) :])
 
 
+def shutter(film: Film, frames: Frames) -> Frames:
+    """A shutter that reads the lines from the top in 12 ms, here in bands of a millisecond."""
+    random, look = np.random.default_rng(film.seed), video.Look()
+    scene = synthetic._Scene(film.camera, look, random)
+    bands = np.array_split(np.arange(film.camera.height), _BANDS)
+    for number in range(round((SECONDS - _READ_S) * film.rate)):
+        found = np.empty((film.camera.height, film.camera.width, 3), dtype=np.uint8)
+        for k, lines in enumerate(bands):
+            begin = number / film.rate + k * _READ_S / _BANDS
+            frame = synthetic._frame(
+                scene, film.thrown.motion, look, begin, film.exposure_s, random
+            )
+            found[lines] = frame[lines]
+        yield found
+
+
 NOISE = 0.08 * 255.0
+_READ_S, _BANDS = 0.012, 12
 HARD = {
     "plain": Hard("as these are"),
     "uneven": Hard("a lamp at one side, four times as bright there", change=uneven),
@@ -103,19 +138,39 @@ HARD = {
     "noise": Hard("noise of 8 % of full scale", look=video.Look(noise=NOISE)),
     "mpeg4": Hard("MPEG-4, as OpenCV writes it", codec=".mp4"),
     "h264": Hard("H.264, quality 28", codec="h264"),
+    "inside": Hard(
+        "a particle and its marker at 0.6 R, inside the rim", other={"offset": 0.6}, films=(0, 2)
+    ),
+    "tilted": Hard(
+        "a floor that falls by 2°, of which nobody told",
+        other={"slope": math.radians(-2.0)},
+        films=(0, 2),
+    ),
+    "slow": Hard(
+        "60 frames a second, exposed for the whole time between two",
+        rate=60.0,
+        part=1.0,
+        films=(0, 2),
+    ),
+    "shutter": Hard(
+        "60 frames a second, exposed for half of the time, lines read in 12 ms",
+        rate=60.0,
+        part=0.5,
+        change=shutter,
+        films=(0, 2),
+    ),
 }
 
 
 def write(film: Film, hard: Hard, path: Path) -> None:
     """Write a film that is hard."""
-    exposure = film.exposure_s if hard.part is None else hard.part / film.rate
     frames = hard.change(
         film,
         video.synthetic_frames(
             film.thrown.motion,
             film.camera,
             fps=film.rate,
-            exposure_s=exposure,
+            exposure_s=film.exposure_s,
             seconds=SECONDS,
             look=hard.look,
             seed=film.seed,
@@ -153,9 +208,8 @@ def line_of(name: str, number: int) -> list[str]:
 
     The track is by the true plane, the fit by the plane that the hoop itself tells.
     """
-    hard, film = HARD[name], film_of(number)
-    if hard.part is not None:
-        film = replace(film, exposure_s=hard.part / film.rate)
+    hard, film = HARD[name], HARD[name].film_of(number)
+    told = replace(film.thrown.guess, slope=0.0)
     length = film.thrown.hoop.require_units().length_m
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"film{'.mp4' if hard.codec == 'h264' else hard.codec}"
@@ -164,7 +218,7 @@ def line_of(name: str, number: int) -> list[str]:
         cells = [name, str(number)]
         pixels = plane.pixels_per_metre(0.0, length) * length
         try:
-            track = lw.track_video(path, film.thrown.guess, plane=plane, fps=film.rate)
+            track = lw.track_video(path, told, plane=plane, fps=film.rate)
         except video.VideoError as error:
             return [*cells, *[""] * 5, type(error).__name__, "", ""]
         errors = film.errors(track)
@@ -176,18 +230,18 @@ def line_of(name: str, number: int) -> list[str]:
         cells += [str(track.time.size), str(seen["x"].size), str(seen["theta"].size)]
         cells += [f"{pixels * centre:.3g}", f"{pixels * marker:.3g}"]
         try:
-            found = video.find_plane(path, length)
-            track = lw.track_video(path, film.thrown.guess, plane=found, fps=film.rate)
+            plane = video.find_plane(path, length)
+            track = lw.track_video(path, told, plane=plane, fps=film.rate)
         except video.VideoError as error:
             return [*cells, type(error).__name__, "", ""]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", lw.fitting.FitWarning)
-        result = lw.fit(track, film.thrown.guess, free=FREE, slips_at_start=True)
-    told = [one for one in FREE if result.estimates[one].identifiable]
+        result = lw.fit(track, told, free=FREE, slips_at_start=True)
+    found = [one for one in FREE if result.estimates[one].identifiable]
     true = film.thrown.hoop
     off = [
         abs(result.estimates[one].value - getattr(true, one)) / result.estimates[one].std_error
-        for one in told
+        for one in found
     ]
     return [
         *cells,
@@ -201,7 +255,7 @@ def main() -> None:
     """Print the lines of the conditions that are named, or of all."""
     print(",".join(HEAD), flush=True)
     for name in sys.argv[1:] or HARD:
-        for number in FILMS:
+        for number in HARD[name].films:
             print(",".join(line_of(name, number)), flush=True)
 
 

@@ -283,7 +283,7 @@ def _unseen(held: Iterable[_Held]) -> Iterator[Doubt]:
         moved, what = max(((size, name) for name, size in one.moved.items()), default=(0.0, ""))
         if moved * one.hidden > _MATTERS:
             words.append(f"{one.name} by {_as_size(one, 1.0 / moved)} ({what})")
-            parameters += [one.name, what]
+            parameters.append(one.name)
     if words:
         yield Doubt(
             "unseen",
@@ -291,7 +291,7 @@ def _unseen(held: Iterable[_Held]) -> Iterator[Doubt]:
             "brackets wrong by its standard error if it is wrong itself by no more than this: "
             f"{', '.join(words)}. Measure them so well, or say how well you know them (errors; "
             "--error), so that the intervals include it",
-            tuple(dict.fromkeys(parameters)),
+            tuple(parameters),
         )
 
 

@@ -8,6 +8,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from statistics import NormalDist
 from typing import Any
 
 import numpy as np
@@ -58,6 +59,7 @@ _OTHER_RISE = 4.0
 _RELATED = 0.9
 # Degrees of freedom of a variance that is known; so many samples tell that an error is smaller.
 _MANY, _TELLING = 1e6, 100.0
+_FAR_BELOW = -20.0
 _DEPENDENT = "the motion does not depend on it, apart from the others"
 
 
@@ -330,6 +332,7 @@ def _result(
             reasons.setdefault(name, "its standard error would exceed its value")
     reasons |= _unseen(motion, demand)
     reasons = {name: reasons[name] for name in names if name in reasons}
+    covariance = _of_no_less_than_nothing(problem, best, covariance)
     for i in (names.index(name) for name in reasons):
         covariance[i, :] = covariance[:, i] = 0.0
         covariance[i, i] = math.inf
@@ -433,6 +436,37 @@ def _wrong_intervals(
         )
     message = f"{'; '.join(sentences)} (profile_interval has the right ends)"
     return [Doubt("interval", message, tuple(wrong))]
+
+
+def _of_no_less_than_nothing(problem: Problem, best: Any, covariance: Reals) -> Reals:
+    """Return a covariance that knows that rolling resistance is not negative.
+
+    Without that bound resistance has a normal error about where its derivative vanishes, which may
+    be below 0. What is left of it above 0 has the mean square, about the estimate, that counts
+    here; the others depend on it as before.
+    """
+    if "rolling_resistance" not in problem.names:
+        return covariance
+    place = problem.names.index("rolling_resistance")
+    variance = float(covariance[place, place])
+    if not 0.0 < variance < math.inf:
+        return covariance
+    size, value = math.sqrt(variance), float(best.x[place])
+    # At its bound the sum of squares still falls: so far a step would lead below it.
+    free = value - variance * float(best.jac[:, place] @ problem.scaled(best.x))
+    square = _square_above_nothing(free, size, value)
+    column = covariance[:, place] / variance
+    return np.asarray(covariance - (variance - square) * np.outer(column, column))
+
+
+def _square_above_nothing(mean: float, size: float, value: float) -> float:
+    """Return the mean square distance from a value of what has a normal error and is positive."""
+    above = mean / size
+    # Far below 0 it is the tail of an exponential distribution.
+    if above < _FAR_BELOW:
+        return 2.0 * (size / above) ** 2
+    ratio = NormalDist().pdf(above) / (0.5 * math.erfc(-above / math.sqrt(2.0)))
+    return size**2 * (1.0 - ratio * (ratio + above)) + (mean + size * ratio - value) ** 2
 
 
 def _as_sampled(covariance: Reals, moments: Reals, effective: float) -> Reals:
