@@ -11,7 +11,7 @@ from __future__ import annotations
 import sys
 import tempfile
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -106,10 +106,16 @@ class Film:
         return found
 
 
-def film_of(number: int, size: tuple[int, int] = SIZE) -> Film:
-    """Draw a throw, a camera that stands to the side and above, and a shutter."""
+def film_of(number: int, size: tuple[int, int] = SIZE, **other: float) -> Film:
+    """Draw a throw, a camera that stands to the side and above, and a shutter.
+
+    The hoop may have something other than what is drawn.
+    """
     random = np.random.default_rng([number, 9])
     thrown, rate = throw(random), (120.0, 240.0)[number % 2]
+    if other:
+        until, hoop = thrown.motion.end_time, replace(thrown.hoop, **other)
+        thrown = Throw(hoop.simulate(**thrown.start, until=until), thrown.slips)
     exposure_s = random.uniform(0.1, 1.0) / rate
     length = thrown.hoop.require_units().length_m
     path = thrown.motion(np.linspace(0.0, SECONDS, 200) / thrown.hoop.require_units().time_s)
@@ -126,9 +132,8 @@ def film_of(number: int, size: tuple[int, int] = SIZE) -> Film:
     return Film(thrown, camera, rate, exposure_s, number)
 
 
-def track_of(number: int) -> lw.Track:
+def track_of(film: Film) -> lw.Track:
     """Make and track one film."""
-    film = film_of(number)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "film.avi"
         film.write(path)
@@ -173,7 +178,7 @@ def main() -> None:
     if first == 0:
         print(",".join([*HEAD, *EXPOSURE, *NOISE]), flush=True)
     for number in range(first, last):
-        print(",".join(line_of(number, track_of(number))), flush=True)
+        print(",".join(line_of(number, track_of(film_of(number)))), flush=True)
 
 
 if __name__ == "__main__":

@@ -311,8 +311,15 @@ def _contradictions(
 
     Whether the residuals lean along its derivative, apart from those of the fit.
     """
+    # Nobody is asked for what cannot be, such as a rolling resistance that drives.
     found = sorted(
-        (one for one in held if one.is_separate), key=lambda one: abs(one.score), reverse=True
+        (
+            one
+            for one in held
+            if one.is_separate and problem.may_move(one.name, one.value, -one.score)
+        ),
+        key=lambda one: abs(one.score),
+        reverse=True,
     )
     # What explains little of waves in the residuals is not their cause.
     if not found or abs(found[0].score) < max(_LOUD, math.sqrt(max(0.0, _EXPLAINS * excess))):
