@@ -13,6 +13,7 @@ import numpy.typing as npt
 from littlewood.fitting.fall import Fall, fall_of
 
 from .film.command import KINDS, filmed, random_motions
+from .film.resistance import ALL, FITS, resistance_rows
 from .film.throws import FREE, throw
 from .page import table
 from .study import PAGES, Study
@@ -184,6 +185,51 @@ def sequences() -> list[str]:
     return table(["kind", "tracks", "found", "found or named"], lines)
 
 
+WRONG = 3.0
+"""A fit is wrong if it misses a coefficient that is told by more standard errors."""
+WEAK = {"identifiability", "interval", "sequences"}
+"""Doubts that good tracks raise, too."""
+
+
+def worst(row: dict[str, str]) -> float:
+    """Return by how many standard errors the worst of the coefficients is off that are told."""
+    told = [name for name in ALL if row[f"{name}_error"] not in ("", "inf")]
+    return max((float(abs(pulls([row], name)[0])) for name in told), default=0.0)
+
+
+def of_resistance() -> list[str]:
+    """How often intervals of fits that estimate rolling resistance contain the truth."""
+    rows = [row for row in resistance_rows(PAGES / "measured-data") if row["fit"] == "estimated"]
+    lines = []
+    for name in ALL:
+        told = [float(row[f"{name}_error"]) for row in rows if row[f"{name}_error"] != "inf"]
+        lines.append([name, *_parts(pulls(rows, name)), f"{np.median(told):.2g}"])
+    heads = ["coefficient", "intervals", "68 % contain the truth", "95 %", "median error"]
+    return table(heads, lines)
+
+
+def strong(row: dict[str, str]) -> set[str]:
+    """Return the doubts of a fit that speak of more than one interval or one slip."""
+    return set(row["doubts"].split()) - WEAK
+
+
+def of_held_resistance() -> list[str]:
+    """How often fits of hoops with rolling resistance are wrong, and how often in silence."""
+    lines = []
+    for fit in FITS:
+        for kind in KINDS:
+            rows = [
+                row
+                for row in resistance_rows(PAGES / "measured-data")
+                if (row["fit"], row["kind"]) == (fit, kind)
+                and float(row["rolling_resistance_true"]) > 0.0
+            ]
+            wrong = [row for row in rows if worst(row) > WRONG]
+            silent = [row for row in wrong if not strong(row)]
+            lines.append([fit, kind, *(str(len(one)) for one in (rows, wrong, silent))])
+    return table(["rolling resistance", "kind", "tracks", "wrong", "wrong in silence"], lines)
+
+
 STUDY = Study(
     name="measured-data",
     texts={
@@ -195,6 +241,8 @@ STUDY = Study(
         "68": lambda: within(0.994),
         "95": lambda: within(1.96),
         "sequences": sequences,
+        "resistance": of_resistance,
+        "held": of_held_resistance,
     },
     pictures={},
 )

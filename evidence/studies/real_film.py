@@ -17,6 +17,7 @@ from littlewood.style import FINE, INK, LINE
 from littlewood.tables import QUANTITIES
 
 from .film.hard import HARD
+from .film.resistance import ALL, resistance_rows
 from .film.throws import FREE
 from .film.videos import film_of, fitted, track_of
 from .page import table
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 NAMES = {"mu_s": "μs", "mu_k": "μk", "inertia": "inertia", "restitution": "e"}
+LOSSES = NAMES | {"rolling_resistance": "χ"}
 
 
 def rows_of(name: str) -> list[dict[str, float]]:
@@ -111,7 +113,7 @@ FILM = 4
 
 def of_fits() -> str:
     """How far fits of a film are off, with and without the constants of the camera."""
-    film, track = film_of(FILM), track_of(FILM)
+    film, track = film_of(FILM), track_of(film_of(FILM))
     parts = []
     for more in ({}, {"calibration": ()}):
         estimates = fitted(film, track, **more).estimates
@@ -216,6 +218,54 @@ def harder() -> list[str]:
     return table(heads, lines)
 
 
+def off(fit: str, name: str) -> list[float]:
+    """Return by how many standard errors fits of films are off, that tell a coefficient."""
+    rows = [row for row in resistance_rows(PAGES / "real-film") if row["fit"] == fit]
+    return [
+        (float(row[f"{name}_value"]) - float(row[f"{name}_true"])) / float(row[f"{name}_error"])
+        for row in rows
+        if row[f"{name}_error"] not in ("", "inf")
+    ]
+
+
+def resisted() -> list[str]:
+    """How far fits of films of hoops that lose by rolling are off, with and without that."""
+    lines = []
+    rows = [row for row in resistance_rows(PAGES / "real-film") if row["fit"] == "estimated"]
+    for name in ALL:
+        told, held = off("estimated", name), off("held at 0", name)
+        errors = [float(row[f"{name}_error"]) for row in rows if row[f"{name}_error"] != "inf"]
+        inside = sum(abs(value) < 1.96 for value in told)
+        lines.append(
+            [
+                LOSSES[name],
+                f"{np.median(errors):.1e}",
+                f"{inside} of {len(told)}",
+                f"{np.median(np.abs(told)):.1f}, {max(map(abs, told)):.1f}",
+                f"{np.median(np.abs(held)):.1f}, {max(map(abs, held)):.0f}" if held else "",
+            ]
+        )
+    heads = [
+        "coefficient",
+        "median standard error",
+        "truth in the 95 % interval",
+        "off, standard errors: median, worst",
+        "with χ held at 0",
+    ]
+    return table(heads, lines)
+
+
+def held_doubted() -> str:
+    """How many fits that hold rolling resistance at 0, where there is some, ask for it."""
+    rows = [
+        row
+        for row in resistance_rows(PAGES / "real-film")
+        if row["fit"] == "held at 0" and float(row["rolling_resistance_true"]) > 0.0
+    ]
+    strong = {"held", "camera", "structure"}
+    return f"{sum(bool(strong & set(row['doubts'].split())) for row in rows)} of {len(rows)}"
+
+
 STUDY = Study(
     name="real-film",
     texts={
@@ -229,6 +279,8 @@ STUDY = Study(
         "long": lambda: by_exposure(True),
         "astray": lambda: beyond("exposure_s", 6.0),
         "tails": lambda: beyond("restitution", 3.0),
+        "resisted": resisted,
+        "held": held_doubted,
         "sequences of videos": lambda: sequences("videos"),
     },
     pictures={"calibration": calibration},

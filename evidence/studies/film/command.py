@@ -58,7 +58,9 @@ class GoodTrack:
     noise_m: float
 
 
-def laboratory_hoop(random: np.random.Generator, slope: float = 0.0) -> lw.Hoop:
+def laboratory_hoop(
+    random: np.random.Generator, slope: float = 0.0, rolling_resistance: float = 0.0
+) -> lw.Hoop:
     """Draw a hoop of a school laboratory."""
     radius, mass = random.uniform(0.2, 0.35), random.uniform(0.1, 0.4)
     mu_k = random.uniform(0.15, 0.5)
@@ -72,13 +74,16 @@ def laboratory_hoop(random: np.random.Generator, slope: float = 0.0) -> lw.Hoop:
         mu_k=mu_k,
         restitution=random.uniform(0.2, 0.7),
         slope=slope,
+        rolling_resistance_m=radius * rolling_resistance,
     )
 
 
-def random_motions(random: np.random.Generator, slope: float = 0.0) -> Iterator[lw.Trajectory]:
+def random_motions(
+    random: np.random.Generator, slope: float = 0.0, rolling_resistance: float = 0.0
+) -> Iterator[lw.Trajectory]:
     """Yield motions with any start, of half a second to one and a half."""
     while True:
-        hoop = laboratory_hoop(random, slope)
+        hoop = laboratory_hoop(random, slope, rolling_resistance)
         until = random.uniform(0.5, 1.5) / hoop.require_units().time_s
         motion = hoop.simulate(
             theta=random.uniform(-math.pi, math.pi),

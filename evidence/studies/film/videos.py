@@ -132,9 +132,8 @@ def film_of(number: int, size: tuple[int, int] = SIZE, **other: Any) -> Film:
     return Film(thrown, camera, rate, exposure_s, number)
 
 
-def track_of(number: int) -> lw.Track:
+def track_of(film: Film) -> lw.Track:
     """Make and track one film."""
-    film = film_of(number)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "film.avi"
         film.write(path)
@@ -179,7 +178,7 @@ def main() -> None:
     if first == 0:
         print(",".join([*HEAD, *EXPOSURE, *NOISE]), flush=True)
     for number in range(first, last):
-        print(",".join(line_of(number, track_of(number))), flush=True)
+        print(",".join(line_of(number, track_of(film_of(number)))), flush=True)
 
 
 if __name__ == "__main__":

@@ -40,7 +40,7 @@ def test_intervals_of_whole_videos_contain_the_truth_as_often_as_they_say():
 
 def test_a_film_of_the_table_comes_out_again():
     row = rows_of("videos")[62]
-    cells = dict(zip(row, map(float, of_video(62, track_of(62))), strict=True))
+    cells = dict(zip(row, map(float, of_video(62, track_of(film_of(62)))), strict=True))
     for name in FREE:
         assert cells[f"{name}_true"] == row[f"{name}_true"]
         assert cells[f"{name}_value"] == pytest.approx(

@@ -311,6 +311,7 @@ def _contradictions(
 
     Whether the residuals lean along its derivative, apart from those of the fit.
     """
+    # Nobody is asked for what cannot be, such as a rolling resistance that drives.
     found = sorted(
         (
             one
