@@ -117,7 +117,7 @@ pub struct Shown {
 impl Schedule {
     /// Frames from the start of a motion to its end. A motion without an end is shown for a whole
     /// oscillation, so that the film closes, for two turns, or for ten units of time; one that comes
-    /// to rest for a quarter longer than it moved.
+    /// to rest for a tenth longer than it moved.
     ///
     /// # Errors
     /// A rate, a slowness or a hold out of bounds, no motion, or too many frames.

@@ -22,7 +22,7 @@ impl Sampling {
 
     /// `count` instants of a motion, to its end. A motion without an end is sampled for two periods
     /// of the last phase, or for ten units of time where that has none; one that rests for a
-    /// quarter longer than it moved.
+    /// tenth longer than it moved.
     #[must_use]
     pub fn of(trajectory: &Trajectory, count: usize) -> Self {
         Self {

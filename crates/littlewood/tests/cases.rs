@@ -368,7 +368,7 @@ fn rolling_resistance_stops_the_hoop() {
         assert_eq!(half_swings, expected.half_swings, "{name}");
         // All start at τ = 0.
         let end = motion.transitions().last().expect("a stop").time();
-        assert_eq!(motion.rest_shown_until(), Some(end + 0.25 * end), "{name}");
+        assert_eq!(motion.rest_shown_until(), Some(end + 0.1 * end), "{name}");
     }
     assert_eq!(case("figure-2-libration").rest_shown_until(), None);
     let hoop = Hoop::new(find_case("libration-rests").expect("a case").setup.hoop);

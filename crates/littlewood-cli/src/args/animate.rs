@@ -12,7 +12,7 @@ Make a film of a motion: hoop, particle, contact point, gap, forces, impulses of
 velocity, mode and clock.
 
 The motion is given as in `simulate`. Without --until an endless motion is shown for one \
-oscillation, two periods or 10 units of time, one that rests for a quarter longer than it moved; \
+oscillation, two periods or 10 units of time, one that rests for a tenth longer than it moved; \
 the film says so.
 
 The extension of --out chooses the format: .gif, or .mp4 (H.264) and .webm (VP9), which need \

@@ -189,7 +189,7 @@ pub(crate) struct SimulateArgs {
     pub(crate) format: Option<Format>,
     /// Sample N instants, evenly spaced in time, and every transition. An endless motion is sampled
     /// to --until, or for two periods of its last phase (10 units of time if it has no period), one
-    /// that rests for a quarter longer than it moved; a motion that ends at its start has one sample
+    /// that rests for a tenth longer than it moved; a motion that ends at its start has one sample
     #[arg(
         long,
         value_name = "N",

@@ -284,15 +284,15 @@ impl Trajectory {
         Some(self.phases.get(after.checked_sub(1)?)?.at(time))
     }
 
-    /// Up to when a picture shows a motion that rests for ever: a quarter longer than the hoop took
-    /// to stop, so that a fifth of the picture shows that it stays; ten units of time of a hoop
-    /// that never moved. None for other motions.
+    /// Up to when a picture shows a motion that rests for ever: a tenth longer than the hoop took to
+    /// stop, so that one sees that it stays; ten units of time of a hoop that never moved. None for
+    /// other motions.
     pub fn rest_shown_until(&self) -> Option<f64> {
         let Outcome::Rests { since, .. } = self.outcome() else {
             return None;
         };
         let moved = since.time - self.start.time;
-        Some(since.time + if moved > 0.0 { 0.25 * moved } else { 10.0 })
+        Some(since.time + if moved > 0.0 { 0.1 * moved } else { 10.0 })
     }
 
     /// The only sample of a motion without a phase: the state and its energy at the start.
