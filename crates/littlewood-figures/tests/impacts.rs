@@ -185,7 +185,8 @@ impl FourSegments {
         let mass = 1.0 + hoop.mass_ratio;
         let h = hoop.offset / mass;
         let own = hoop.inertia + hoop.mass_ratio * h * h + (hoop.offset - h) * (hoop.offset - h);
-        let (a, d) = (h * libm::sin(theta), 1.0 + h * libm::cos(theta));
+        let (sin, cos) = libm::sincos(theta);
+        let (a, d) = (h * sin, 1.0 + h * cos);
         let [mut rate, mut slip, mut gap_rate] = before;
         let sigma = slip.signum();
         let turns = [1.0, -1.0, -1.0, 0.0];
