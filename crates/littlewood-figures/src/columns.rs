@@ -11,6 +11,7 @@ pub(crate) const SLIP: &str = SampleColumn::Slip.name();
 pub(crate) const X: &str = SampleColumn::X.name();
 pub(crate) const NORMAL: &str = SampleColumn::Normal.name();
 pub(crate) const FRICTION: &str = SampleColumn::Friction.name();
+pub(crate) const COUPLE: &str = SampleColumn::Couple.name();
 pub(crate) const ENERGY: &str = SampleColumn::Energy.name();
 pub(crate) const MU_S: &str = Quantity::MuS.name();
 pub(crate) const MU_K: &str = Quantity::MuK.name();
@@ -31,8 +32,6 @@ pub(crate) const ORBIT: [&str; 3] = [THETA, THETA_RATE, ENERGY];
 pub(crate) const Y: &str = "y";
 /// What a motion has lost.
 pub(crate) const LOST: &str = "energy_lost";
-/// The couple of rolling resistance over the radius.
-pub(crate) const COUPLE: &str = "couple_over_radius";
 /// |F|/N.
 pub(crate) const DEMAND: &str = "demand";
 /// The constant of gliding, an energy of the particle.
@@ -45,7 +44,6 @@ pub(crate) fn dimension(column: &str) -> Dimension {
     let own = match column {
         Y => Some(Dimension::Length),
         W | LOST => Some(Dimension::Energy),
-        COUPLE => Some(Dimension::Force),
         IMPULSE | NORMAL_IMPULSE | FRICTION_IMPULSE => Some(Dimension::Impulse),
         _ => None,
     };

@@ -201,7 +201,10 @@ fn pictures_of_a_motion_that_rests_end_shortly_after() {
             .filter(|layer| layer.series.column("time") == Some(0))
             .flat_map(|layer| layer.series.rows().map(|row| row[0]).collect::<Vec<_>>())
             .fold(0.0, f64::max);
-        assert!(last > since && last < 1.101 * since, "{name}: {last} {since}");
+        assert!(
+            last > since && last < 1.101 * since,
+            "{name}: {last} {since}"
+        );
     }
 }
 

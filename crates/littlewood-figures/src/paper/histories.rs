@@ -96,18 +96,12 @@ fn friction_panel(motion: &Shown) -> Content {
     motion.panel(name, y, layers, Vec::new())
 }
 
-/// The couple of rolling resistance over the radius, by Euler's equation, and ±χN, which it does not
-/// exceed.
+/// The couple of rolling resistance, and ±χN, which it does not exceed.
 fn couple_panel(motion: &Shown) -> Content {
-    const NAME: &str = "couple of rolling resistance";
-    let hoop = motion.hoop();
-    let (h, chi) = (hoop.h(), hoop.rolling_resistance());
-    let inertia = hoop.inertia() + hoop.mass_ratio() * hoop.offset() * h;
-    let couple = motion.history(NAME, COUPLE, |_, sample| {
-        let (sin, cos) = libm::sincos(sample.state.theta);
-        let moment = h * sin * sample.normal + (1.0 + h * cos) * sample.friction;
-        Some(inertia * sample.theta_acceleration - moment).filter(|couple| couple.is_finite())
-    });
+    let name = SampleColumn::Couple.long_name();
+    let chi = motion.hoop().rolling_resistance();
+    let couple = motion.history(name, COUPLE, |_, sample| Some(sample.couple));
+    let sign = marked(SampleColumn::Couple.sign());
     let bound = |sign: f64| {
         let value = |_: &Phase, sample: &Sample| Some(sign * chi * sample.normal);
         motion.history("limit of the couple", COUPLE, value)
@@ -116,13 +110,13 @@ fn couple_panel(motion: &Shown) -> Content {
     let [upper, lower] = &bounds;
     let y = motion
         .say
-        .axis(COUPLE, "*M*/*R*", range_of([&couple, upper, lower], &[0.0]));
+        .axis(COUPLE, &sign, range_of([&couple, upper, lower], &[0.0]));
     let mut layers = motion.ground(&y, COUPLE);
     let limit = Stroke::solid(SOFT, FINE).dashed(Dash::Dotted);
     layers.extend(bounds.map(|series| series.drawn(limit)));
     let colour = EnergyPart::RollingResistance.colour(THEME);
     layers.push(couple.drawn(Stroke::solid(colour, 2.0)));
-    motion.panel(NAME, y, layers, Vec::new())
+    motion.panel(name, y, layers, Vec::new())
 }
 
 /// |F|/N, and |J|/P of impacts.
