@@ -29,7 +29,7 @@ const KNOWN: [(Defect, [usize; 2]); 7] = [
     (Defect::TextOnCurve, [18, 197]),
     (Defect::TextOutside, [0, 5]),
     (Defect::PanelWithoutInk, [1, 4]),
-    (Defect::KeyWithoutMark, [4, 43]),
+    (Defect::KeyWithoutMark, [2, 43]),
     (Defect::CutWithoutMark, [1, 9]),
     (Defect::AlikeInGrey, [0, 0]),
 ];

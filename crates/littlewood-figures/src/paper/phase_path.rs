@@ -4,7 +4,7 @@
 use core::f64::consts::{PI, TAU};
 
 use littlewood::theory::Window;
-use littlewood::{Sample, State};
+use littlewood::{Sample, State, Transition};
 use littlewood_draw::{
     Entries, Figure, HATCH, IMPULSE, Label, Layer, Mark, Piece, REGION, SMALL, START, Series,
     Stroke, TRANSITION, key_of_curve, lift_off_condition,
@@ -196,7 +196,8 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         pairs.flatten().any(|row| is_inside(window, row))
     });
     let mut keys = seen.entries(|mode| mode.to_string());
-    if motion.passed().next().is_some() {
+    let is_seen = |transition: &Transition| is_inside(window, &row_of(&transition.before, turns));
+    if motion.passed().any(is_seen) {
         keys.push((TRANSITION, "transition".to_owned()));
     }
     keys.extend(curves);
