@@ -24,7 +24,7 @@ const LONG: usize = 100;
 pub enum MapSubject {
     /// Its class ([`Class`]).
     Outcome,
-    /// The number of its landings ([`hops`]).
+    /// The number of its landings.
     Hops,
 }
 
