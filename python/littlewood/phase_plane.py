@@ -42,8 +42,8 @@ class PhasePlane:
     √(g/R), forces in m2 g, energies in m2 g R. Curves are |θ′| over θ, NaN where they do not exist.
 
     With rolling resistance rolling one way has other limits than rolling the other, and no energy:
-    forces and regions of states are there, of the curves as functions of θ only that of lift-off, and
-    no equilibria. ``hoop.plot()`` draws the curves of each way and the band of rest.
+    forces and regions of states are there, of the curves as functions of θ only that of lift-off,
+    and no equilibria. ``hoop.plot()`` draws the curves of each way and the band of rest.
 
     Parameters
     ----------

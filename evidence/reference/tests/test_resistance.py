@@ -515,12 +515,15 @@ def test_sets_of_modes_at_random_states():
         share = {(0, 0): 0, (0, 1): 0.10, (1, 0): 0.14, (1, 1): 0.23}[slips, turns]
         assert found.get("none", 0) / count == pytest.approx(share, abs=0.01)
         several = {name for name in found if " " in name}
-        assert several <= {
-            (0, 0): {"rolling skidding"} if slope else set(),
-            (0, 1): {"sliding flight", "rolling flight"},
-            (1, 0): set(),
-            (1, 1): {"sliding flight"},
-        }[slips, turns]
+        assert (
+            several
+            <= {
+                (0, 0): {"rolling skidding"} if slope else set(),
+                (0, 1): {"sliding flight", "rolling flight"},
+                (1, 0): set(),
+                (1, 1): {"sliding flight"},
+            }[slips, turns]
+        )
 
 
 def test_without_resistance_a_level_state_without_slip_has_exactly_one_motion():

@@ -54,8 +54,8 @@ def phase_plane(
 ) -> Axes:
     """Draw the plane of Figures 2(b), 4 and 5: orbits of rolling, region R, the curves f and n.
 
-    With rolling resistance an orbit loses energy, to the right above θ′ = 0 and to the left below, and
-    the thick line is the band of rest; f, n and R are those of each way.
+    With rolling resistance an orbit loses energy, to the right above θ′ = 0 and to the left below,
+    and the thick line is the band of rest; f, n and R are those of each way.
 
     Parameters
     ----------
