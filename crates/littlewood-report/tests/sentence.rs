@@ -192,6 +192,14 @@ fn a_hoop_that_rests_says_what_holds_it() {
         sentence::start(&disc, PLAIN),
         "Slips: rolling would have needed a friction coefficient of 0.24; there is 0.2."
     );
+    // It is not slip that goes on.
+    let swings = hoop(1.0, [0.5, 0.4, 1e-6])
+        .simulate(Start::at(2.5, 0.0), Limits::default().with_transitions(10))
+        .unwrap();
+    assert_eq!(
+        sentence::outcome(&swings, PLAIN),
+        "Stopped after 10 transitions: it swings on, less each time."
+    );
 }
 
 #[test]

@@ -245,14 +245,10 @@ fn ends_by_event(outcome: &Outcome, trajectory: &Trajectory, scale: Scale<'_>) -
 }
 
 fn stopped_after_transitions(transitions: usize, trajectory: &Trajectory) -> String {
-    let bounces = trajectory
-        .transitions()
-        .last()
-        .is_some_and(Transition::is_bounce);
-    let endless = if bounces {
-        "bounces may never end"
-    } else {
-        "slips may continue with decaying amplitude"
+    let endless = match trajectory.transitions().last() {
+        Some(last) if last.is_bounce() => "bounces may never end",
+        Some(last) if last.cause == Cause::TurningPoint => "it swings on, less each time",
+        _ => "slips may continue with decaying amplitude",
     };
     format!("Stopped after {transitions} transitions: {endless}.")
 }
