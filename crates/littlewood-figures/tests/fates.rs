@@ -9,6 +9,7 @@ use littlewood::cases::CASES;
 use littlewood::tables::Class;
 use littlewood::{Hoop, Limits, Mode, OutcomeKind, Phase, Start, Trajectory};
 use littlewood_figures::{Figure, FigureInput, Panel, PlotAxis, View, find_figure, plain};
+use littlewood_style::RestingPlace;
 
 /// The axes to the right and upwards.
 fn axes(panel: &Panel) -> [&PlotAxis; 2] {
@@ -78,6 +79,20 @@ fn class(motion: &Trajectory) -> Class {
     }
 }
 
+/// The region of the outcomes to which a motion belongs: its class, or where it rests.
+fn region(motion: &Trajectory) -> &'static str {
+    match class(motion) {
+        Class::Rests => RestingPlace::of(motion.outcome().state().theta).name(),
+        other => other.name(),
+    }
+}
+
+fn is_region(name: &str) -> bool {
+    let classes = Class::ALL.iter().map(|class| class.name());
+    let places = RestingPlace::ALL.iter().map(|place| place.name());
+    classes.chain(places).any(|one| one == name)
+}
+
 /// How far beside a place the motion must be alike for the place to be compared, in parts of the
 /// line: lines between points of a curve are as flat as this.
 const BESIDE: f64 = 2e-3;
@@ -113,8 +128,8 @@ fn outcomes_of_all_cases_are_what_the_simulation_does() {
         .chain([0.0, 0.5, 0.9].map(|e| with("figure-3", e)))
         .collect();
     for (i, input) in hoops.iter().enumerate() {
-        // Cases of one hoop have one figure.
-        if hoops[..i].iter().any(|other| other.hoop == input.hoop) {
+        // Cases of one hoop have one figure; that of a disc, whose ends do not depend on θ, is refused.
+        if input.hoop.h() == 0.0 || hoops[..i].iter().any(|other| other.hoop == input.hoop) {
             continue;
         }
         let figure = find.figure(input).expect("it can be drawn");
@@ -134,26 +149,26 @@ fn outcomes_of_all_cases_are_what_the_simulation_does() {
                     .phases()
                     .iter()
                     .any(|phase| phase.mode() == Mode::Flight);
-                (class(&motion), flies)
+                (region(&motion), flies)
             };
-            let (class, flies) = seen(place);
+            let (region, flies) = seen(place);
             let beside = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
             let is_alike = |[a, b]: [f64; 2]| {
                 seen([
                     place[0] + a * BESIDE * side[0],
                     place[1] + b * BESIDE * side[1],
-                ]) == (class, flies)
+                ]) == (region, flies)
             };
             if !beside.into_iter().all(is_alike) {
                 continue;
             }
             let found: Vec<&str> = regions
                 .iter()
-                .filter(|(name, _)| Class::ALL.iter().any(|class| class.name() == *name))
+                .filter(|(name, _)| is_region(name))
                 .filter(|(_, pieces)| winding(pieces, place) != 0)
                 .map(|(name, _)| name.as_str())
                 .collect();
-            wrong += usize::from(found != [class.name()]);
+            wrong += usize::from(found != [region]);
             if input.hoop.restitution().is_some() {
                 let is_hatched = regions
                     .get("lifts_off")
@@ -179,8 +194,9 @@ fn outcomes_of_all_cases_are_what_the_simulation_does() {
             .split_once(" of 500 other starts ")
             .and_then(|(_, after)| after.split(' ').next())
             .and_then(|count| count.parse().ok());
+        // It says so from one in a hundred of its own 500 on; of these fewer are drawn, by chance.
         assert!(
-            wrong == 0 || said.is_some(),
+            wrong * 50 <= compared || said.is_some(),
             "{wrong} of {compared}: {caption}"
         );
         // Those next to a boundary, which are not compared here, are more often amiss.

@@ -158,7 +158,13 @@ fn a_map_by_resistance_has_where_and_when_hoops_rest() {
             .simulate(point.start, Limits::default())
             .unwrap();
         assert_eq!(found.half_swings, motion.summary().half_swings, "{point:?}");
-        assert_eq!(found.end, motion.summary().end, "{point:?}");
+        let end = motion.summary().end;
+        for (a, b) in [(found.end.time, end.time), (found.end.theta, end.theta)] {
+            assert!(
+                (a - b).abs() <= 1e-12 * (1.0 + b.abs()),
+                "{point:?}: {a} {b}"
+            );
+        }
         if Class::of(&found) == Class::Rests {
             assert!(h * libm::sin(found.end.theta).abs() <= chi, "{point:?}");
             assert_eq!(found.outcome, OutcomeKind::Rests);
