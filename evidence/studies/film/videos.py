@@ -115,7 +115,8 @@ def film_of(number: int, size: tuple[int, int] = SIZE, **other: Any) -> Film:
     thrown, rate = throw(random), (120.0, 240.0)[number % 2]
     if other:
         until, hoop = thrown.motion.end_time, replace(thrown.hoop, **other)
-        thrown = Throw(hoop.simulate(**thrown.start, until=until), thrown.slips)
+        start: dict[str, Any] = {**thrown.start}
+        thrown = Throw(hoop.simulate(**start, until=until), thrown.slips)
     exposure_s = random.uniform(0.1, 1.0) / rate
     length = thrown.hoop.require_units().length_m
     path = thrown.motion(np.linspace(0.0, SECONDS, 200) / thrown.hoop.require_units().time_s)
