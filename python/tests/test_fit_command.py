@@ -345,7 +345,8 @@ def test_good_tracks_that_were_refused(name, known, slope, sequence, true):
     assert {doubt.name for doubt in result.doubts} <= {"identifiability", "interval", "unseen"}
     for one, value in true.items():
         estimate = result.estimates[one]
-        assert abs(estimate.value - value) < 4.0 * estimate.std_error < 0.05, one
+        # A rolling resistance that the track does not tell widens them.
+        assert abs(estimate.value - value) < 4.0 * estimate.std_error < 0.1, one
 
 
 def test_bounces_that_were_one_flight():
