@@ -408,6 +408,17 @@ def check_motion_over_plane(axes, motion):
         assert -math.pi <= angle.min() and angle.max() <= math.pi
 
 
+def denominator(hoop, theta, rate):
+    """Return D_χ of rolling (docs/theory/rolling-resistance.md)."""
+    mass, h = 1.0 + hoop.mass_ratio, hoop.h
+    about_contact = (
+        hoop.inertia
+        + hoop.mass_ratio * hoop.offset * h
+        + mass * (1.0 + 2.0 * h * np.cos(theta) + h**2)
+    )
+    return about_contact - np.sign(rate) * hoop.rolling_resistance * mass * h * np.sin(theta)
+
+
 @pytest.mark.parametrize("name", list(lw.CASES))
 def test_the_plane_of_every_case_shows_its_curves(name):
     motion = motion_of(name)
@@ -431,9 +442,11 @@ def test_the_plane_of_every_case_shows_its_curves(name):
     # With rolling resistance a hoop may press, or hold, wherever it is.
     if not resists or (CURVE_COLOURS["normal_force_zero"], True) in drawn:
         theta, rate = drawn[CURVE_COLOURS["normal_force_zero"], True]
-        # Where such a curve begins or ends it is vertical, and known to the root of the rounding.
-        rounding = 1e-7 if resists else 1e-12
-        np.testing.assert_allclose(plane.normal(theta, rate) / (1.0 + rate**2), 0.0, atol=rounding)
+        # With rolling resistance the curve ends at a zero of the denominator of N, D_χ.
+        normal = plane.normal(theta, rate) * (
+            denominator(motion.hoop, theta, rate) if resists else 1
+        )
+        np.testing.assert_allclose(normal / (1.0 + rate**2), 0.0, atol=1e-12)
     if not resists or (CURVE_COLOURS["slip_limit"], False) in drawn:
         theta, rate = drawn[CURVE_COLOURS["slip_limit"], False]
         miss = np.abs(plane.friction(theta, rate)) - motion.hoop.mu_s * plane.normal(theta, rate)

@@ -194,7 +194,8 @@ fn outcomes_of_all_cases_are_what_the_simulation_does() {
             .split_once(" of 500 other starts ")
             .and_then(|(_, after)| after.split(' ').next())
             .and_then(|count| count.parse().ok());
-        // It says so from one in a hundred of its own 500 on; of these fewer are drawn, by chance.
+        // The caption says so if more than 1 % of its own 500 starts are wrong. There are fewer starts
+        // here, so that chance may double that part.
         assert!(
             wrong * 50 <= compared || said.is_some(),
             "{wrong} of {compared}: {caption}"

@@ -6,9 +6,9 @@
 //!
 //! It is built twice, as two modules. The feature `first` has what the first picture of a page
 //! needs: [`Motion`], a simulated motion, [`Routh`], the diagram of an impact, and [`Plane`], the
-//! (θ, θ′) plane with its curves. The feature `later` has the rest: [`OutcomeMap`], what becomes of
-//! every start of that plane, [`Moves`], what moves an event, and [`Prediction`], a landing
-//! predicted from another motion.
+//! phase plane with its curves. The feature `later` has the other classes: [`OutcomeMap`], the
+//! outcome of every start of that plane, [`Moves`], the derivatives of an event, and [`Prediction`],
+//! a landing predicted from another motion.
 //!
 //! Names, labels, units, codes and colours do not cross it: the page has them in files that are
 //! generated from the tables of the core and of `littlewood-style` (`tests/generated`), and

@@ -1,4 +1,4 @@
-//! A motion that is stopped and started again from one of its own states must continue unchanged.
+//! A simulation that starts from a state of a motion must give the rest of that motion.
 
 use std::f64::consts::TAU;
 

@@ -167,7 +167,8 @@ fn the_figure_2_plane_with_rolling_resistance_has_the_motions_of_the_simulation(
     }
 }
 
-/// What is left is computed for much longer, which no test of answers would notice.
+/// A start that is left to the simulation has the same answer and takes far longer: only a count
+/// shows how many there are.
 #[test]
 fn little_rolling_resistance_is_left_to_the_simulation() {
     let figure_2 = Hoop::equal_masses(0.5, 0.4).expect("the hoop of Figure 2");

@@ -352,7 +352,7 @@ fn lost_parts(motion: &Shown) -> Vec<(Series, Mark, &'static str)> {
     series.into_iter().filter(is_there).collect()
 }
 
-/// What has been lost since the start, on an axis of its own.
+/// The panel of the energy lost since the start.
 fn lost_panel(motion: &Shown, parts: &[(Series, Mark, &'static str)]) -> Content {
     let rows = lost_in_all(motion);
     let most = rows.iter().map(|row| row[1]).fold(0.0, f64::max);

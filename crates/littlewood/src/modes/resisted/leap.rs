@@ -12,7 +12,7 @@ use crate::modes::turn_times::{
 const MAX_SPEED_UP: f64 = 16.0;
 
 /// Least number of turns of a leap: the proof and the sums take as long as some dozens of turns.
-pub(super) const MIN_LEAP_TURNS: f64 = 64.0;
+pub(super) const MIN_ROLLING_LEAP_TURNS: f64 = 64.0;
 
 /// Cost of a leap, in steps.
 pub(super) const LEAP_COST_IN_STEPS: usize = 2_000;
@@ -96,7 +96,7 @@ pub(super) struct LeapBounds<P> {
 
 impl TurnLeap {
     /// The turns that have no event before the time limit, the first of which is known; none if these
-    /// are fewer than [`MIN_LEAP_TURNS`]. `time` is that of a turn from u.
+    /// are fewer than [`MIN_ROLLING_LEAP_TURNS`]. `time` is that of a turn from u.
     pub(super) fn new(
         map: TurnMap,
         first: Turn,
@@ -113,7 +113,7 @@ impl TurnLeap {
         .fold(MAX_LEAP_TURNS, f64::min)
         .floor();
         let is_short = |n: f64| max_turns < n || !(bounds.is_free)(n);
-        if is_short(0.0) || is_short(MIN_LEAP_TURNS) {
+        if is_short(0.0) || is_short(MIN_ROLLING_LEAP_TURNS) {
             return None;
         }
         let mut leap = Self {
@@ -121,10 +121,10 @@ impl TurnLeap {
             turned: 0.0,
             map,
             blocks: Vec::new(),
-            count: last_of(MIN_LEAP_TURNS, max_turns + 1.0, bounds.is_free),
+            count: last_of(MIN_ROLLING_LEAP_TURNS, max_turns + 1.0, bounds.is_free),
         };
         leap.sum(first, bounds.time_left, time);
-        (leap.count >= MIN_LEAP_TURNS).then_some(leap)
+        (leap.count >= MIN_ROLLING_LEAP_TURNS).then_some(leap)
     }
 
     /// Sums the times of the turns, up to the time that is left.

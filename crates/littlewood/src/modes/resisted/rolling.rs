@@ -13,7 +13,9 @@ use crate::modes::{
     Instant, Margin, PhasePoint, Recurrence, RollingLimit, Sample, Undecided, couple_of_turning,
 };
 
-use super::leap::{LEAP_COST_IN_STEPS, LeapBounds, MIN_LEAP_TURNS, Turn, TurnLeap, TurnMap};
+use super::leap::{
+    LEAP_COST_IN_STEPS, LeapBounds, MIN_ROLLING_LEAP_TURNS, Turn, TurnLeap, TurnMap,
+};
 use super::series::RollingSeries;
 
 /// By which part of the distance between two turns the periodic rotation is enclosed from the other
@@ -288,7 +290,7 @@ impl ResistedRolling {
         }
         turns.next_attempt = 2.0 * turns.count;
         let first = self.turn_of(u)?;
-        if time_left < MIN_LEAP_TURNS * first.elapsed {
+        if time_left < MIN_ROLLING_LEAP_TURNS * first.elapsed {
             return None;
         }
         let RollingLaw { mass, tilt, .. } = self.law.rolling;
