@@ -644,14 +644,15 @@ fn after_event<T: Solver>(
     cursor.next = solver.next_motion(&cursor.point, arrival);
     let next = &cursor.next;
     // Only a slide begins with a known direction.
-    (cursor.last_slip, cursor.slip_out_of_rolling) = match (arrival, next.direction()) {
-        (Arrival::RollingLimit(RollingLimit::Friction(out)), Some(direction)) => (
-            LastSlip::out_of_rolling(solver.hoop(), state, out),
-            Some(direction),
-        ),
-        (_, Some(_)) => (cursor.last_slip, None),
-        (_, None) => (None, None),
-    };
+    cursor.slip_out_of_rolling = None;
+    match (arrival, next.direction()) {
+        (Arrival::RollingLimit(RollingLimit::Friction(out)), Some(direction)) => {
+            cursor.last_slip = LastSlip::out_of_rolling(solver.hoop(), state, out);
+            cursor.slip_out_of_rolling = Some(direction);
+        }
+        (_, Some(_)) => {}
+        (_, None) => cursor.last_slip = None,
+    }
     let cause = cause.unwrap_or_else(|| match next.mode() {
         Some(Mode::Sliding | Mode::Gliding | Mode::Skidding) => {
             let same = next.direction().is_some() && next.direction() == direction;

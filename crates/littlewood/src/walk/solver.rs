@@ -2,7 +2,7 @@
 
 use crate::mechanics::{Impact, Settling};
 use crate::model::{Heavy, Hoop, Massless, Mode, SlipDirection, State, weight_of_slides};
-use crate::modes::{Entry, Flight, GlideEntry, TakeOff};
+use crate::modes::{Entry, GlideEntry, TakeOff};
 use crate::walk::{Arrival, Cause, Event, NextMotion, Outcome, PhaseSequence, ResistedMotion};
 
 /// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
@@ -110,7 +110,10 @@ pub(crate) struct SkippedLinks<P> {
 
 /// What is kept of a solved phase.
 pub(crate) trait Solution {
-    fn flight(&self) -> Option<&Flight>;
+    /// The rate of the gap at the start of a flight; none of another phase.
+    fn take_off_rate(&self) -> Option<f64>;
+    /// The largest gap of a flight. Asked for only until one has landed.
+    fn height(&self) -> f64;
     /// The range of the angle of a slide, where it is kept.
     fn theta_range(&self) -> Option<(f64, f64)> {
         None
