@@ -737,8 +737,8 @@ impl Solver for FastSolver<'_> {
         EngineState::new(state)
     }
 
-    fn state(point: &EngineState) -> State {
-        point.state
+    fn state(point: &EngineState) -> &State {
+        &point.state
     }
 
     #[inline(always)]

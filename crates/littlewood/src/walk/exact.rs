@@ -318,8 +318,8 @@ impl Solver for Exact<'_> {
         state
     }
 
-    fn state(point: &State) -> State {
-        *point
+    fn state(point: &State) -> &State {
+        point
     }
 
     fn next_motion(&self, state: &State, arrival: Arrival) -> NextMotion {

@@ -41,7 +41,7 @@ pub(crate) trait Solver {
     fn until(&self) -> f64;
     fn point(&self, state: State) -> Self::Point;
     /// The state of a point, as it was given to [`Solver::point`] or computed at the end of a phase.
-    fn state(point: &Self::Point) -> State;
+    fn state(point: &Self::Point) -> &State;
     /// Selects the motion that begins at a point in contact. `arrival` decides where a guard
     /// vanishes, since the sign of its rounded value does not.
     fn next_motion(&self, point: &Self::Point, arrival: Arrival) -> NextMotion;
@@ -157,9 +157,9 @@ pub(crate) enum PhaseEnd<P, O> {
 }
 
 impl<P, O> PhaseEnd<P, O> {
-    pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
+    pub(crate) fn state(&self, of: impl Fn(&P) -> &State) -> Option<State> {
         match self {
-            Self::Rest { point, .. } | Self::Event { point, .. } => Some(of(point)),
+            Self::Rest { point, .. } | Self::Event { point, .. } => Some(*of(point)),
             Self::Landing { state, .. }
             | Self::Settled { state, .. }
             | Self::Singular { state, .. } => Some(*state),
