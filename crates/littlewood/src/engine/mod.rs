@@ -196,19 +196,14 @@ impl Engine {
         self.hoop.check(start)?;
         limits.check(&start)?;
         let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
-        let recorder = SummaryRecorder::new(&self.hoop, origin);
         Ok(match &self.model {
-            Some(model) => self.fast_summary(model, start, &limits, recorder),
-            None => self.exact_summary(start, &limits, recorder),
+            Some(model) => self.fast_summary(model, &origin, start, &limits),
+            None => self.exact_summary(&origin, start, &limits),
         })
     }
 
-    fn exact_summary(
-        &self,
-        start: RelativeStart,
-        limits: &Limits,
-        mut recorder: SummaryRecorder<'_>,
-    ) -> Summary {
+    fn exact_summary(&self, origin: &Origin, start: RelativeStart, limits: &Limits) -> Summary {
+        let mut recorder = SummaryRecorder::new(&self.hoop, origin);
         let solver = Exact::new(&self.hoop, limits);
         let settings = WalkSettings {
             limits,
@@ -223,14 +218,14 @@ impl Engine {
     fn fast_summary(
         &self,
         model: &HoopModel,
+        origin: &Origin,
         start: RelativeStart,
         limits: &Limits,
-        empty: SummaryRecorder<'_>,
     ) -> Summary {
         let mut simulated_phases = 0;
         loop {
             let Attempt { summary, is_lost } =
-                self.attempt(model, start, limits, empty, simulated_phases);
+                self.attempt(model, origin, start, limits, simulated_phases);
             if !is_lost {
                 return summary;
             }
@@ -249,9 +244,9 @@ impl Engine {
     fn attempt(
         &self,
         model: &HoopModel,
+        origin: &Origin,
         start: RelativeStart,
         limits: &Limits,
-        empty: SummaryRecorder<'_>,
         simulated_phases: u32,
     ) -> Attempt {
         let slip_maps = self.slip_maps.as_deref();
@@ -266,7 +261,7 @@ impl Engine {
         } else {
             solver.for_few_starts()
         };
-        let mut recorder = empty;
+        let mut recorder = SummaryRecorder::new(&self.hoop, origin);
         let settings = WalkSettings {
             limits,
             shared: self.shared_proof_data(slip_maps),
@@ -296,15 +291,13 @@ mod tests {
     impl Engine {
         fn simulated(&self, start: Start, limits: Limits) -> Summary {
             let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
-            let recorder = SummaryRecorder::new(&self.hoop, origin);
-            self.exact_summary(start, &limits, recorder)
+            self.exact_summary(&origin, start, &limits)
         }
 
         fn attempted(&self, start: Start, limits: Limits, simulated_phases: u32) -> Attempt {
             let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
-            let recorder = SummaryRecorder::new(&self.hoop, origin);
             let model = self.model.as_ref().unwrap();
-            self.attempt(model, start, &limits, recorder, simulated_phases)
+            self.attempt(model, &origin, start, &limits, simulated_phases)
         }
     }
 

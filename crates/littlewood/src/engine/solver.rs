@@ -68,6 +68,8 @@ pub(super) struct FastSolver<'a> {
     pub(super) interpolates_slides: bool,
     /// Whether the last phase was rolling that has slipped.
     pub(super) has_slipped: Cell<bool>,
+    /// Whether a flight has landed.
+    has_landed: Cell<bool>,
 }
 
 /// Equilibria of a slide without kinetic friction are nearer than this part of its energy.
@@ -107,9 +109,21 @@ impl From<Outcome> for FastOutcome {
     }
 }
 
-impl Solution for Option<Flight> {
-    fn flight(&self) -> Option<&Flight> {
-        self.as_ref()
+/// What a summary tells of a flight, which itself is six times as large.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Jump {
+    take_off_rate: f64,
+    /// Not computed behind a landing, where nothing tells of it.
+    height: f64,
+}
+
+impl Solution for Option<Jump> {
+    fn take_off_rate(&self) -> Option<f64> {
+        self.map(|jump| jump.take_off_rate)
+    }
+
+    fn height(&self) -> f64 {
+        self.map_or(0.0, |jump| jump.height)
     }
 }
 
@@ -128,6 +142,7 @@ impl<'a> FastSolver<'a> {
             error: Cell::new(ErrorBound::Exact),
             interpolates_slides: false,
             has_slipped: Cell::new(false),
+            has_landed: Cell::new(false),
         }
     }
 
@@ -228,8 +243,21 @@ impl<'a> FastSolver<'a> {
         elapsed <= self.until() - state.time
     }
 
+    /// What is told of a flight.
+    fn jump(&self, flight: &Flight) -> Jump {
+        Jump {
+            take_off_rate: flight.take_off_rate(),
+            height: if self.has_landed.get() {
+                f64::NAN
+            } else {
+                flight.apex().1
+            },
+        }
+    }
+
     /// Converts a phase that was solved exactly.
-    pub(super) fn from_exact(solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
+    pub(super) fn from_exact(&self, solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
+        let solution = solved.solution.flight().map(|flight| self.jump(flight));
         let end = match solved.end {
             PhaseEnd::Rest { point, arrival } => PhaseEnd::Rest {
                 point: EngineState::new(point),
@@ -244,7 +272,10 @@ impl<'a> FastSolver<'a> {
                 cause,
                 arrival,
             },
-            PhaseEnd::Landing { state, gap_rate } => PhaseEnd::Landing { state, gap_rate },
+            PhaseEnd::Landing { state, gap_rate } => {
+                self.has_landed.set(true);
+                PhaseEnd::Landing { state, gap_rate }
+            }
             PhaseEnd::Settled { state, settling } => PhaseEnd::Settled { state, settling },
             PhaseEnd::Singular { state, solvability } => PhaseEnd::Singular { state, solvability },
             PhaseEnd::Motion {
@@ -258,7 +289,7 @@ impl<'a> FastSolver<'a> {
             },
         };
         PhaseResult {
-            solution: solved.solution.flight().copied(),
+            solution,
             direction: solved.direction,
             end,
         }
@@ -519,7 +550,7 @@ impl<'a> FastSolver<'a> {
             ErrorBound::Simulated(phases) => {
                 let error = ErrorBound::behind_simulated(phases.get() - 1);
                 self.error.set(error);
-                Some(Self::from_exact(exact(&self.exact)))
+                Some(self.from_exact(exact(&self.exact)))
             }
             ErrorBound::Lost => Some(PhaseResult {
                 solution: None,
@@ -571,7 +602,7 @@ impl<'a> FastSolver<'a> {
             if entry != Entry::Moving && entry != ON_LIMIT {
                 self.add_phase_error(&state);
             }
-            Self::from_exact(solved)
+            self.from_exact(solved)
         };
         if let Some(result) = self.not_computed(state, &exact) {
             return result;
@@ -685,7 +716,7 @@ impl LinkSolver for FastSolver<'_> {
 
 impl Solver for FastSolver<'_> {
     type Point = EngineState;
-    type Solution = Option<Flight>;
+    type Solution = Option<Jump>;
     type Outcome = FastOutcome;
 
     const SKIPS_PERIODS: bool = true;
@@ -706,8 +737,8 @@ impl Solver for FastSolver<'_> {
         EngineState::new(state)
     }
 
-    fn state(point: &EngineState) -> State {
-        point.state
+    fn state(point: &EngineState) -> &State {
+        &point.state
     }
 
     #[inline(always)]
@@ -731,7 +762,7 @@ impl Solver for FastSolver<'_> {
         self.has_slipped.set(false);
         let left_to_the_simulation = |reason: Fallback| {
             self.model.fallbacks.add(reason);
-            Self::from_exact(self.exact.roll(&state, on_limit))
+            self.from_exact(self.exact.roll(&state, on_limit))
         };
         if let Some(result) = self.not_computed(state, |exact| exact.roll(&state, on_limit)) {
             return result;
@@ -741,7 +772,7 @@ impl Solver for FastSolver<'_> {
         }
         let uses_tables = self.uses_tables();
         if self.model.leaves_rolling(uses_tables) {
-            return Self::from_exact(self.exact.roll(&state, on_limit));
+            return self.from_exact(self.exact.roll(&state, on_limit));
         }
         let end: Ended = match self.model.roll(place, on_limit, uses_tables) {
             Ok(RollEnd::Never) => PhaseEnd::Motion {
@@ -801,7 +832,7 @@ impl Solver for FastSolver<'_> {
         }
         // Whatever follows from a state of the simulation goes on as there.
         if self.error.get().is_exact() && self.hoop.restitution().is_some() {
-            return Self::from_exact(self.exact.fly(&state, body, take_off));
+            return self.from_exact(self.exact.fly(&state, body, take_off));
         }
         let flight = match take_off {
             TakeOff::Grazing => {
@@ -838,7 +869,9 @@ impl Solver for FastSolver<'_> {
                 );
             });
         }
+        let jump = self.jump(&flight);
         let end = if self.is_in_time(&state, duration) {
+            self.has_landed.set(true);
             PhaseEnd::Landing {
                 state: flight.state(duration),
                 gap_rate: flight.landing_rate(),
@@ -850,18 +883,18 @@ impl Solver for FastSolver<'_> {
             })
         };
         PhaseResult {
-            solution: Some(flight),
+            solution: Some(jump),
             direction: None,
             end,
         }
     }
 
     fn settle(&self, place: &EngineState, body: &Heavy, settling: &Settling) -> PhaseResult<Self> {
-        Self::from_exact(self.exact.settle(&place.state, body, settling))
+        self.from_exact(self.exact.settle(&place.state, body, settling))
     }
 
     fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
-        Self::from_exact(self.exact.glide(&place.state, body, entry))
+        self.from_exact(self.exact.glide(&place.state, body, entry))
     }
 
     fn resisted(
