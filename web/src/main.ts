@@ -115,6 +115,7 @@ function start(cases: NamedCase[]): void {
     lab,
     {
       hoop: (c, width, height) => hoop.drawOn(c, width, height),
+      film: (c, width, height, time) => hoop.drawOn(c, width, height, time),
       plane: (c, width, height) => plane.drawOn(c, width, height),
       impact: (c, width, height) => impact.drawOn(c, width, height),
     },

@@ -8,6 +8,7 @@ import type { Palette } from '../generated/palette';
 import { CAUSE_LABELS, CLASS_LABELS, QUANTITY_ROWS } from '../generated/tables';
 import { Sheet, type Size } from '../views/canvas';
 import { type HoopHost, HoopWidget } from '../views/hoop-widget';
+import { rich } from './rich';
 
 /** What a text file says of a picture. */
 export interface Words {
@@ -135,6 +136,8 @@ export class Player {
     private readonly course: () => Course,
     text: (time: number) => string,
     private readonly changed: () => void,
+    /** It has moved by itself, in a frame of the screen. */
+    private readonly moved: () => void,
     private readonly silence: (playing: boolean) => void,
     first: number | null,
   ) {
@@ -189,6 +192,11 @@ export class Player {
     else this.frame = requestAnimationFrame(this.tick);
   }
 
+  /** Plays by itself, for those who do not mind. */
+  playUnlessStill(): void {
+    if (!STILL.matches) this.play();
+  }
+
   pause(): void {
     if (!this.playing) return;
     cancelAnimationFrame(this.frame);
@@ -205,7 +213,8 @@ export class Player {
     this.last = now;
     this.frame = requestAnimationFrame(this.tick);
     if (this.now >= to) this.pause();
-    this.show();
+    this.slider.show(this.part);
+    this.moved();
   };
 
   /** From event to event, without any motion in between. */
@@ -240,6 +249,7 @@ export class Picture {
   private readonly players: Player[] = [];
   private draw: Draw = () => undefined;
   private says: () => string = () => '';
+  private said = '';
   private link: (() => string) | null = null;
   private frame = 0;
   private inSight = false;
@@ -327,7 +337,8 @@ export class Picture {
       this.common,
       course,
       text,
-      () => this.changed(),
+      this.changed,
+      this.paintNow,
       (playing) => this.sentence.setAttribute('aria-busy', String(playing)),
       first,
     );
@@ -384,10 +395,15 @@ export class Picture {
   readonly changed = (): void => {
     this.stale = true;
     if (!this.inSight || this.frame !== 0) return;
-    this.frame = requestAnimationFrame(() => {
-      this.frame = 0;
-      this.paint();
-    });
+    this.frame = requestAnimationFrame(this.paintNow);
+  };
+
+  /** Draws it now, where a frame of the screen has begun: to wait for the next would halve their number. */
+  private readonly paintNow = (): void => {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    if (this.inSight) this.paint();
+    else this.stale = true;
   };
 
   private paint(): void {
@@ -396,7 +412,10 @@ export class Picture {
     if (this.sheet) this.draw(this.sheet.clear(), this.size, this.palette);
     this.widget?.paint();
     const sentence = this.says();
-    if (this.sentence.textContent !== sentence) this.sentence.textContent = sentence;
+    if (this.said !== sentence) {
+      this.said = sentence;
+      this.sentence.replaceChildren(...rich(sentence, {}, String));
+    }
     if (this.link !== null) this.laboratory.href = this.link();
     for (const { element, place } of this.handles) {
       const [x, y] = place();

@@ -32,6 +32,7 @@ try {
   if (!namesAgree()) throw new Error('page and core have different versions');
   tell(numbersOfText());
   document.documentElement.dataset.ready = 'true';
+  performance.mark('ready');
 } catch (error) {
   show(String(error));
 }
@@ -49,25 +50,32 @@ function tell(numbers: Filling): void {
   for (const [name, words] of Object.entries(COMMON.links))
     themeButton.before(make('a', { href: addressOf(name) }, words), ' ');
   const pictures: Picture[] = [];
-  const section = ({ id, heading, body }: Part): HTMLElement => {
-    const parts = body.map((it) => {
+  const bodyOf = (body: Part['body']): HTMLElement[] =>
+    body.map((it) => {
       if (typeof it === 'string') return paragraph(it);
       if ('quote' in it) {
         const source = make('footer', {}, ...rich(it.source, numbers, addressOf));
         return make('blockquote', {}, paragraph(it.quote), source);
       }
+      if ('riddle' in it)
+        return make(
+          'details',
+          { class: 'riddle' },
+          make('summary', {}, it.riddle),
+          paragraph(it.answer),
+        );
       const picture = pictureOf(it.picture, COMMON, paletteOf(theme));
       pictures.push(picture);
       return picture.figure;
     });
-    return make(
+  const section = ({ id, heading, body }: Part): HTMLElement =>
+    make(
       'section',
       { id, 'aria-labelledby': `${id}-heading` },
       make('h2', { id: `${id}-heading` }, heading),
-      ...parts,
+      ...bodyOf(body),
     );
-  };
-  const lede = make('div', { class: 'lede' }, ...STORY.lede.map(paragraph));
+  const lede = make('div', { class: 'lede' }, ...bodyOf(STORY.lede));
   main.append(make('h1', {}, STORY.title), lede, ...STORY.parts.map(section));
   const sources = Object.entries(SOURCES.list).map(([name, text]) =>
     make('li', { id: `source-${name}` }, ...rich(text, numbers, addressOf)),

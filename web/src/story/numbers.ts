@@ -131,6 +131,9 @@ export function distanceOf(a: Motion, b: Motion): number {
 /** The push of the hop in the text. */
 export const PUSH = 0.9;
 
+/** The rolling resistance of the real hoop of the race, over its radius. */
+export const REAL_RESISTANCE = 0.01;
+
 /** The film of a hula hoop. */
 export const FILM_RATE = 240;
 
@@ -210,6 +213,7 @@ export function numbersOfText(): Filling {
     boundary(1, 1.35, (before) => turnOf(THREE[0]!, before) < 2 * Math.PI),
   );
 
+  found['race.resistance'] = plain(REAL_RESISTANCE);
   found['bounce.e'] = plain(BOUNCE);
 
   const jams = (mu: number): boolean => {

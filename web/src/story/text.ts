@@ -4,7 +4,7 @@
 //
 // Controls that are not named here have the library's names.
 //
-// *emphasis*; [words](address), an address being a name of `addresses.ts` or a place of the page;
+// *emphasis*; <name:words> has the colour of a mode, an arrow or a class of outcomes; [words](address), an address being a name of `addresses.ts` or a place of the page;
 // {name} is a number, which the library computes (`numbers.ts`, and each picture its own). No
 // number is typed here but years and equations of the paper.
 
@@ -25,16 +25,24 @@ export const COMMON = {
 /** A picture is shown where its name stands between paragraphs. */
 export type PictureName = keyof typeof PICTURES;
 
+type Body = readonly (
+  | string
+  | { picture: PictureName }
+  | { quote: string; source: string }
+  | { riddle: string; answer: string }
+)[];
+
 export interface Part {
   id: string;
   heading: string;
-  body: readonly (string | { picture: PictureName } | { quote: string; source: string })[];
+  body: Body;
 }
 
-export const STORY: { title: string; lede: readonly string[]; parts: readonly Part[] } = {
+export const STORY: { title: string; lede: Body; parts: readonly Part[] } = {
   title: 'Does the hoop hop?',
   lede: [
-    'Fix a weight to the rim of a hoop. Put the weight at the top, give the hoop a push, and let it roll. Does it hop?',
+    'Fix a weight to the rim of a hoop, turn it, and let it go. Does it hop? Here are thousands of ways to let it go, all at once. Touch one, and its hoop is played beside.',
+    { picture: 'release' },
     'Mathematicians and physicists have argued about this since 1953, and a [film of 2023](#source-film) made the argument known to many. This page tells it with pictures that you can drag. Each is computed while you drag it, by [the same library](laboratory) that computes the motions of the laboratory, and so is every number in the text.',
   ],
   parts: [
@@ -44,7 +52,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       body: [
         'Guess first. Then choose a push and play, or drag the weight and fling it. The weight of this hoop has {story.ratio} times the mass of the rim.',
         { picture: 'question' },
-        'With a weak push it rolls. With a strong one it leaves the ground at the very first moment, which is no surprise: a car flies over a humpback bridge for the same reason. In between it goes almost a whole turn along the ground, and then, by itself, it jumps. That is the puzzle. Nothing strikes it, nothing pulls it up, and the ground can only push. Why does it leave?',
+        'With a weak push it <rolling:rolls>. With a strong one it <flight:leaves the ground> at the very first moment, which is no surprise: a car flies over a humpback bridge for the same reason. In between it goes almost a whole turn along the ground, and then, by itself, it <flight:jumps>. That is the puzzle. Nothing strikes it, nothing pulls it up, and the ground can only push. Why does it leave?',
       ],
     },
     {
@@ -59,45 +67,59 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
         },
         'Is that right? Let his hoop roll, and look at the ground. Drag the weight around.',
         { picture: 'forces' },
-        'His calculation is right. As long as the hoop rolls, the ground must push up with a force *N*. At first *N* carries the whole weight. It shrinks as the hoop gathers speed, and when the weight has turned by {rolling.zero} it is zero: the radius is horizontal. From there on rolling needs a ground that *pulls*. No ground does that. So the weight leaves its cycloid, just as he said.',
-        'But here is the trap. Leaving the cycloid is one thing, leaving the ground is another. At that instant the weight is on its way *down*. It cannot fall more slowly than a stone unless something holds it up, and it cannot take the rim up with it. The hoop has another way out. It can stay on the ground and slip.',
+        'His calculation is right. As long as the hoop rolls, the ground must push up with a force <normal_force:N>. At first <normal_force:N> carries the whole weight. It shrinks as the hoop gathers speed, and when the weight has turned by {rolling.zero} it is zero: the radius is horizontal. From there on rolling needs a ground that *pulls*. No ground does that. So the weight leaves its cycloid, just as he said.',
+        'But here is the trap. Leaving the cycloid is one thing, leaving the ground is another. At that instant the weight is on its way *down*. It cannot fall more slowly than a stone unless something holds it up, and it cannot take the rim up with it. The hoop has another way out. It can stay on the ground and <sliding:slip>.',
       ],
     },
     {
       id: 'cone',
       heading: 'It skids first',
       body: [
-        'How rough is “rough”? A force of the ground has two parts: *N* upwards, and friction *F* along the ground. The ground grips as long as *F* is at most μ times *N*, where μ is the coefficient of friction. Draw all the forces that the ground can give, and you have a wedge, the *friction cone*.',
-        'A weightless hoop has no freedom here. It cannot be turned by a force without spinning infinitely fast, so the force must point from the ground straight at the weight. When the weight moves out of the wedge, the hoop slips.',
+        'How rough is “rough”? A force of the ground has two parts: <normal_force:N> upwards, and friction <friction_force:F> along the ground. The ground grips as long as <friction_force:F> is at most μ times <normal_force:N>, where μ is the coefficient of friction. Draw all the forces that the ground can give, and you have a wedge, the *friction cone*.',
+        'A weightless hoop has no freedom here. It cannot be turned by a force without spinning infinitely fast, so the force must point from the ground straight at the weight. When the weight moves out of the wedge, the hoop <sliding:slips>.',
         { picture: 'cone' },
         'With μ = {cone.mu} it slips after {cone.angle}. To come as far as Littlewood’s {rolling.zero} it needs a coefficient of {rolling.friction} or more. Rubber on a dry road can do that; most pairs of things cannot. Littlewood knew: “in actual practice the hoop skids first”.',
-        'Two answers followed. Butler and Pritchett showed that Littlewood’s hoop does not jump, [as later authors report](#source-gliding). [Pritchett](#source-revisited) proved more: on level ground any loaded hoop that rolls must slip before it can take off. That is exact. A hoop that rolls is held by *N* and *F* together, and both would have to vanish at once. On level ground they do so only with the weight at the very top, and there the hoop has already begun to slip.',
+        'Two answers followed. Butler and Pritchett showed that Littlewood’s hoop does not jump, [as later authors report](#source-gliding). [Pritchett](#source-revisited) proved more: on level ground any loaded hoop that rolls must slip before it can take off. That is exact. A hoop that rolls is held by <normal_force:N> and <friction_force:F> together, and both would have to vanish at once. On level ground they do so only with the weight at the very top, and there the hoop has already begun to slip.',
       ],
     },
     {
       id: 'skim',
       heading: 'Skimming, gliding, or nonsense?',
       body: [
-        'What does the weightless hoop do after it slips? T. F. Tokieda took up the puzzle [in 1997](#source-hopping). He noted that a hula hoop with a battery in it shows the jump, and he was the first to see that the hoop can move along the ground without pressing on it. (Like Littlewood, he concluded that the hoop hops at the horizontal, [as Theron and Maritz report](#source-variety).) [Theron and du Plessis](#source-massless) worked that motion out in 2001 and called it *skimming*. [Bronars and O’Reilly](#source-gliding) called it *gliding* in 2019. The weight falls freely along a parabola; the rim turns and slides beneath it so that it just touches the ground; and neither *N* nor *F* acts at all.',
+        'What does the weightless hoop do after it slips? T. F. Tokieda took up the puzzle [in 1997](#source-hopping). He noted that a hula hoop with a battery in it shows the jump, and he was the first to see that the hoop can move along the ground without pressing on it. (Like Littlewood, he concluded that the hoop hops at the horizontal, [as Theron and Maritz report](#source-variety).) [Theron and du Plessis](#source-massless) worked that motion out in 2001 and called it *skimming*. [Bronars and O’Reilly](#source-gliding) called it <gliding:gliding> in 2019. The weight falls freely along a parabola; the rim turns and slides beneath it so that it just touches the ground; and neither <normal_force:N> nor <friction_force:F> acts at all.',
         'In 2024 [Aglaev and Kovaldzhi](#source-rough) objected: the skimming phase “is not derived, but wrongly postulated”. They have a point. A body without inertia needs no torque to be turned, so the laws of motion hardly speak about it. Why should the rim stay on the ground? It might as well hover.',
         'A computer can settle this, because a hoop that weighs *nearly* nothing obeys the laws of motion like everything else. Give the rim its inertia back, watch it, and then take the inertia away, step by step.',
         { picture: 'inertia' },
-        'With an inertia of one thousandth the weight strays from the path without inertia by {light.thousandth} of the radius at most. With ten times less inertia it strays {light.ratio} times less. The limit exists, and it is gliding. So gliding need not be postulated: light hoops do it. That is a theorem, in the study *Where the massless hoop comes from* of the documentation. It also says where gliding is *not* the limit: where the rim slips away from a weight that is inside the friction cone, a light hoop loses its slip at once. The objection was fair; the motion is real.',
+        'With an inertia of one thousandth the weight strays from the path without inertia by {light.thousandth} of the radius at most. With ten times less inertia it strays {light.ratio} times less. The lighter the rim, the nearer it comes to <gliding:gliding>. So nobody has to postulate it: light hoops do it. (The study *Where the massless hoop comes from* of the documentation proves it, and says where a light hoop does something else: where it slips with its weight inside the wedge, it stops slipping at once.) The objection was fair; the motion is real.',
         'The same authors find a contradiction in the rolling of a hoop on an “absolutely rough” ground. That is real, too: there are speeds at which rolling would need a pull, and at which the hoop cannot leave the ground either. The exact motion there is a slide, however large the friction.',
-        'So Littlewood’s own hoop never hops. It skids, and then it skims.',
+        'So Littlewood’s own hoop never hops. It <sliding:skids>, and then it <gliding:skims>.',
       ],
     },
     {
       id: 'hop',
       heading: 'A real hoop',
       body: [
-        'Why, then, do hula hoops with batteries hop? Because their rims have inertia, and something with inertia can be pushed. Our hoop from the beginning, with a push of {hop.push} (in units of √(g/R)), first slips after {hop.slip}. Just beyond the bottom, after {hop.stick}, it grips again; after {hop.again} it slips once more, and now, as the weight is hurled *upwards*, the ground’s force fades away. It lifts off {hop.before} before the weight is at the top again. The rim rises by {hop.height} of its radius.',
+        'Why, then, do hula hoops with batteries hop? Because their rims have inertia, and something with inertia can be pushed. Our hoop from the beginning, with a push of {hop.push} (in units of √(g/R)), first <sliding:slips> after {hop.slip}. Just beyond the bottom, after {hop.stick}, it grips again and <rolling:rolls>; after {hop.again} it <sliding:slips> once more, and now, as the weight is hurled *upwards*, the ground’s force fades away. It <flight:lifts off> {hop.before} before the weight is at the top again. The rim rises by {hop.height} of its radius.',
         'Look at that moment in slow motion.',
         { picture: 'liftoff' },
-        'Nothing jerks. *N* sinks to zero while the hoop slides, and then the gap opens like the third power of time: for a while it is too small to see. At the instant of lift-off the mass centre circles the middle of the hoop just fast enough to balance gravity. Friction does not enter that balance.',
+        'Nothing jerks. <normal_force:N> sinks to zero while the hoop slides, and then the gap opens like the third power of time: for a while it is too small to see. At the instant of lift-off the mass centre circles the middle of the hoop just fast enough to balance gravity. Friction does not enter that balance.',
         'The push matters. This hoop hops if it is pushed harder than {push.least}. Below, it never leaves the ground: the library follows it until its energy proves that. And a gentle nudge, as in Littlewood’s puzzle, never makes a real hoop hop, unless it is lighter and rougher than anything that you can build. Above {push.most} it leaves at once.',
         { picture: 'map' },
         'Every point of this map is a way to let the hoop go: where the weight is, and how fast the hoop turns. The colour says what becomes of it. Drop your own start into it, and follow its path.',
+      ],
+    },
+    {
+      id: 'race',
+      heading: 'A race',
+      body: [
+        'Littlewood’s hoop, a light one, and a real one on one track each: the same start, the same friction. The rim of the light one has a twentieth of the mass of its weight, that of the real one a quarter. A real ground also resists rolling: it gives way a little, and pushes {race.resistance} of the radius in front of the middle. Who hops?',
+        { picture: 'race' },
+        'Drag the weight of the first hoop to let all three start elsewhere.',
+        {
+          riddle: 'What did the first race show?',
+          answer:
+            'The light one hops first and highest, because most of the energy is in its weight. Littlewood’s, which is the lightest, stays on the ground. And the resistance costs the real one half of its hop.',
+        },
       ],
     },
     {
@@ -106,7 +128,11 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       body: [
         'How far does a hoop turn in the air? One would expect that this depends on everything: the masses, the friction, the speed, even on gravity. It depends on one thing. Here are three hoops as different as you like, which lift off with the weight at the same angle before the top.',
         { picture: 'angle' },
-        'A hoop that lifts off {angle.example} before the top turns through {angle.turned}, on Earth and on the Moon. For small angles it is {angle.small} times the angle of lift-off. It turns exactly once if it lifts off at {angle.whole}. The reason is short: at lift-off gravity and circling balance, and that balance fixes the speed for each hoop so that everything else cancels.',
+        'A hoop that lifts off {angle.example} before the top turns through {angle.turned}, on Earth and on the Moon. For small angles it is {angle.small} times the angle of lift-off. Can you make it turn exactly once? The reason is short: at lift-off gravity and circling balance, and that balance fixes the speed for each hoop so that everything else cancels.',
+        {
+          riddle: 'At which angle does it turn exactly once?',
+          answer: 'At {angle.whole}, for every hoop: where the tangent of the angle is π.',
+        },
         'You can check this at home, because it relates two angles, which a telephone can film without a ruler.',
         { picture: 'film' },
       ],
@@ -127,7 +153,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       id: 'ramp',
       heading: 'The ramp, and the disc that climbs',
       body: [
-        'Films of discs on ramps seem to contradict all this. [Gómez, Hernández-Gómez and Marquina](#source-ramp) let a disc with a rod roll down and saw it jump: it rolls, then jumps. [Arroyo and Aparicio Alcalde](#source-cylinder) find jumps without any slip, in a part of the parameters. On a ramp that is possible: *N* and *F* can vanish together with the weight at the top.',
+        'Films of discs on ramps seem to contradict all this. [Gómez, Hernández-Gómez and Marquina](#source-ramp) let a disc with a rod roll down and saw it jump: it rolls, then jumps. [Arroyo and Aparicio Alcalde](#source-cylinder) find jumps without any slip, in a part of the parameters. On a ramp that is possible: <normal_force:N> and <friction_force:F> can vanish together with the weight at the top.',
         { picture: 'ramp' },
         'But it happens in at most one motion for each hoop and ramp, unless the ground is so rough that Painlevé’s paradox returns. All others slip first. A disc of {ramp.radius} radius, released at {ramp.release} on a slope of {ramp.slope}, slips by {ramp.slip} just before it jumps. No film of the whole jump shows that. (A turn earlier it slips by {ramp.earlier}, and grips again.) So the films are right, as far as a camera can see, and so is “it skids first”.',
         'A last surprise needs no push at all. Release a loaded disc on a slope with its weight on the uphill side, and it rolls *up*.',
@@ -141,7 +167,7 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
       body: [
         'Now you can answer for any hoop. How heavy is the weight, how hard is the push, how rough is the ground?',
         { picture: 'answer' },
-        '*Yes: a real hoop hops if you push it hard enough, though on level ground it must slip first; but Littlewood’s weightless hoop never hops: it skids, and then it glides along the ground without pressing on it.*',
+        '*Yes: a real hoop <flight:hops> if you push it hard enough, though on level ground it must <sliding:slip> first; but Littlewood’s weightless hoop never hops: it <sliding:skids>, and then it <gliding:glides> along the ground without pressing on it.*',
         'Go on in [the laboratory](laboratory), where every number can be changed, or take [the sheet for teachers](sheet) to your class.',
       ],
     },
@@ -149,6 +175,31 @@ export const STORY: { title: string; lede: readonly string[]; parts: readonly Pa
 };
 
 export const PICTURES = {
+  release: {
+    title:
+      'Each square is a hoop. Across: where its weight starts, from the bottom over the top, in the middle, round to the bottom. Upwards: how fast it turns, to the left above the middle and to the right below. Its rim has a quarter of the mass of its weight.',
+    shows:
+      'A plane of squares, one for each start, coloured by what its hoop does; beside it the hoop of the square that is chosen.',
+    controls: {
+      angle: 'angle of the weight',
+      rate: 'rate of turning, √(g/R)',
+      across: 'where the weight starts',
+      upwards: 'how fast it turns',
+      rolls: 'has only rolled',
+      has_slipped: 'has slipped',
+      flies: 'flies',
+      lifts_off_later: 'has hopped',
+      leaves_at_once: 'left at once, and has landed',
+      rolls_forever: 'rolls for ever',
+      in_contact: 'never leaves the ground',
+    },
+    says: {
+      follows: 'Following the motions: {count} of {of}.',
+      now: '{count} hoops, {time} √(R/g) after they were let go: {counts}.',
+      counts:
+        '{flies} are in the air, {landed} have landed, and {stays} will never leave the ground',
+    },
+  },
   question: {
     title: 'A hoop with a weight, pushed with the weight at the top.',
     shows:
@@ -257,6 +308,30 @@ export const PICTURES = {
       stays: 'From here it never leaves the ground.',
     },
   },
+  race: {
+    title: 'Three hoops from one start, on a track each. The bar on the ground is the hop.',
+    shows:
+      'Three tracks, one under the other, with a hoop on each; the ground under a hop is marked.',
+    controls: {
+      angle: 'weight from the top, at the start',
+      push: 'push, √(g/R)',
+      massless: 'Littlewood’s hoop',
+      light: 'the light hoop',
+      real: 'the real hoop',
+    },
+    says: {
+      ask: 'Who hops, and who first? Guess, and play.',
+      now: '{name} {mode}',
+      over: 'has its weight on the ground',
+      landed: 'has landed',
+      hopped:
+        '{name} hops after {time} √(R/g), {place} radii from the start, turned by {angle}, and rises by {height} of its radius',
+      atOnce: '{name} leaves the ground at once, and rises by {height} of its radius',
+      stayed: '{names} never hops',
+      late: '{names} hops only after the race',
+      and: 'nor does',
+    },
+  },
   angle: {
     title:
       'Three hoops that lift off at one angle: a hula hoop with a battery, a disc with a bead, and a light hoop with a heavy weight.',
@@ -271,6 +346,10 @@ export const PICTURES = {
     says: {
       turned:
         'They lift off {angle} before the top. In the air the first turns by {first}, the second by {second}, the third by {third}.',
+      task: 'Make them turn once, by {whole}, to within {close}.',
+      more: 'It is {by} too little.',
+      less: 'It is {by} too much.',
+      done: 'Once round, in the air! Moves of the slider: {tries}.',
     },
   },
   film: {
@@ -329,12 +408,13 @@ export const PICTURES = {
     },
   },
   answer: {
-    title: 'All pushes across, and all weights upwards. The ring is your hoop.',
+    title:
+      'Each point is a hoop that starts with its weight at the top. Further to the right it is pushed harder; further up its weight is heavier, and its rim lighter. Put the ring on yours.',
     shows:
       'A map of hoops, from light to heavy weights, and of pushes: which hop, which stay, and which leave the ground at once.',
     controls: {
-      share: 'part of the mass in the weight',
-      push: 'push at the top, √(g/R)',
+      share: 'the weight, as a part of all the mass',
+      push: 'how hard it is pushed, √(g/R)',
       mu: 'coefficient of friction μ',
       lifts_off_later: 'hops',
       rolls_forever: 'stays on the ground',
@@ -349,12 +429,12 @@ export const PICTURES = {
 
 /** The modes of motion in a sentence. */
 export const MODES = {
-  rolling: 'rolls',
-  sliding: 'slides',
-  gliding: 'glides',
-  flight: 'flies',
-  rest: 'rests',
-  skidding: 'skids',
+  rolling: '<rolling:rolls>',
+  sliding: '<sliding:slides>',
+  gliding: '<gliding:glides>',
+  flight: '<flight:flies>',
+  rest: '<rest:rests>',
+  skidding: '<skidding:skids>',
 } as const;
 
 /** What the story cites. Only here stand volumes and pages. */

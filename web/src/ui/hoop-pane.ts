@@ -87,7 +87,11 @@ export class HoopPane {
   }
 
   private get scene(): HoopScene {
-    const { motion, time, plain, problem, state, units, pinned } = this.lab;
+    return this.sceneAt(this.lab.time);
+  }
+
+  private sceneAt(time: number): HoopScene {
+    const { motion, plain, problem, state, units, pinned } = this.lab;
     const { landing } = this;
     const { system } = state.problem;
     const isPlain = this.isPlain();
@@ -152,8 +156,8 @@ export class HoopPane {
     ].join(' ');
   }
 
-  drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
-    drawHoop(c, { width, height }, this.scene);
+  drawOn(c: CanvasRenderingContext2D, width: number, height: number, time = this.lab.time): void {
+    drawHoop(c, { width, height }, this.sceneAt(time));
   }
 
   /** On the plane, at the right. */

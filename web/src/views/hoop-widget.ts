@@ -61,6 +61,7 @@ export class HoopWidget {
       'aria-label': 'Weight of the hoop: its start',
       'aria-valuemin': '-180',
       'aria-valuemax': '180',
+      'aria-valuenow': '0',
     });
     canvas.after(this.handle);
     this.listen();
