@@ -74,7 +74,7 @@ impl ParameterError {
                 ..
             } => "NaN and infinities are not numbers to start from",
             Self::OutOfBounds {
-                bound: Bound::MagnitudeAtMost(_),
+                bound: Bound::MagnitudeAtMost(_) | Bound::ResolvedAtMost(_),
                 ..
             } => "beyond this bound a double no longer resolves the motion",
             Self::OutOfBounds { quantity, .. } => quantity.hint(),
