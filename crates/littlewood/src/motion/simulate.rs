@@ -149,6 +149,10 @@ impl Recorder<PhaseSolution> for Recording<'_> {
             cause,
         });
     }
+
+    fn half_swings(&self) -> usize {
+        Recorder::<&PhaseSolution>::half_swings(&self.summary)
+    }
 }
 
 impl Solution for &PhaseSolution {

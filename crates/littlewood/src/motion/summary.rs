@@ -161,6 +161,10 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
         }
     }
 
+    fn half_swings(&self) -> usize {
+        self.summary.half_swings as usize
+    }
+
     fn detail(&self) -> PhaseDetail {
         if self.summary.sequence.is_truncated() {
             PhaseDetail::Number

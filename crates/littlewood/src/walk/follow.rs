@@ -41,8 +41,6 @@ struct Cursor<P> {
     /// Whether the motion slides without kinetic friction, on an orbit that does not leave the
     /// plane. Rounding of later states must not decide otherwise.
     stays_in_contact: bool,
-    /// Number of half swings with rolling resistance so far.
-    half_swings: usize,
 }
 
 impl<P> Cursor<P> {
@@ -61,7 +59,6 @@ impl<P> Cursor<P> {
             last_slip,
             slip_out_of_rolling: None,
             stays_in_contact: false,
-            half_swings: 0,
         }
     }
 
@@ -76,7 +73,6 @@ impl<P> Cursor<P> {
             last_slip: None,
             slip_out_of_rolling,
             stays_in_contact: false,
-            half_swings: 0,
         }
     }
 
@@ -445,7 +441,7 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
         NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(point, body, *entry)),
         NextMotion::Resisted { body, motion } => (
             motion.mode(),
-            solver.resisted(point, body, *motion, cursor.half_swings),
+            solver.resisted(point, body, *motion, log.recorder.half_swings()),
         ),
         NextMotion::Settle { body, settling } => {
             (Mode::Flight, solver.settle(point, body, settling))
@@ -536,7 +532,6 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             cause,
             arrival,
         } => {
-            cursor.half_swings += usize::from(phase.swings() && cause == Cause::TurningPoint);
             let ended = ended(Some(cause), point, arrival);
             Ok(after_event(solver, cursor, ended))
         }

@@ -186,6 +186,10 @@ pub(crate) trait Recorder<S> {
     fn detail(&self) -> PhaseDetail {
         PhaseDetail::Solutions
     }
+    /// Number of half swings with rolling resistance so far, where they are counted.
+    fn half_swings(&self) -> usize {
+        0
+    }
     /// Records skipped links: the number of transitions, and the phases at the current detail.
     fn links(&mut self, _transitions: u32, _phases: PhaseSequence) {}
 }
