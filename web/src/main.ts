@@ -10,6 +10,7 @@ import './style/dialogue.css';
 import './style/levels.css';
 import './style/screens.css';
 import './style/embed.css';
+import './style/lecture.css';
 import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
 import { byId } from './dom';
@@ -28,15 +29,17 @@ import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
 import { Host } from './ui/host';
 import { ImpactPane } from './ui/impact-pane';
+import { Lecture } from './ui/lecture';
 import { Level } from './ui/level';
 import { Mark } from './ui/mark';
 import { MovesPane } from './ui/moves-pane';
+import { OwnLesson } from './ui/own-lesson';
 import { PhaseTable } from './ui/phase-table';
 import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
 import { Share } from './ui/share';
 import { Story } from './ui/story';
-import { LESSONS, type LessonName, partsOf } from './ui/texts';
+import { type Asked, partsOf } from './ui/texts';
 import { isDark, onSystemTheme, paletteOf, setTheme } from './ui/theme';
 import { Transport } from './ui/transport';
 import { Words } from './ui/words';
@@ -57,7 +60,7 @@ function start(cases: NamedCase[]): void {
   const { embed } = parse(location.hash, plain).state.view;
   const first: State = { ...plain, view: { ...plain.view, embed } };
   const lab = new Lab(first, cases);
-  const address: Address = new Address(lab, () => ask.lesson);
+  const address: Address = new Address(lab, () => ask.asked?.text ?? null);
   setTheme(first.view.theme);
 
   let palette = paletteOf(first.view.theme);
@@ -68,7 +71,7 @@ function start(cases: NamedCase[]): void {
   const level = new Level(lab);
   const clock: Clock = new Clock(
     lab,
-    () => lab.state.view.slow || level.isSimple || ask.lesson !== null,
+    () => lab.state.view.slow || level.isSimple || ask.asked !== null,
     () => {
       transport.showView();
       ask.showTime();
@@ -82,7 +85,7 @@ function start(cases: NamedCase[]): void {
     byId('hoop', HTMLCanvasElement).scrollIntoView({ block: 'nearest' });
   };
   /** Letters, forces in numbers and what is predicted are for lessons and the full view. */
-  const isPlain = (): boolean => level.isSimple && ask.lesson === null;
+  const isPlain = (): boolean => level.isSimple && ask.asked === null;
   const hoop = new HoopPane(lab, clock, palette, isPlain, draw);
   const isWhole = (): boolean => !lab.state.view.embed && !level.isSimple;
   const plane = new PlanePane(lab, palette, isWhole, draw, showDefect);
@@ -102,7 +105,7 @@ function start(cases: NamedCase[]): void {
     lab,
     clock,
     () => level.isSimple,
-    (lesson) => openLesson(lesson),
+    (asked) => openLesson(asked),
   );
   const transport = new Transport(lab, clock);
   const story = new Story(lab);
@@ -122,7 +125,16 @@ function start(cases: NamedCase[]): void {
     () => palette,
     () => address.text,
   );
+  new OwnLesson(({ text }) => address.textOf(lab.state.problem, text));
   const embedding = new Embedding(lab);
+  const lecture = new Lecture(
+    lab,
+    (problem) => address.textOf(problem),
+    () => {
+      stale.motion = true;
+      draw();
+    },
+  );
 
   const stale = { motion: true, time: true, tables: false };
   function paint(): void {
@@ -136,6 +148,7 @@ function start(cases: NamedCase[]): void {
         units,
         system: state.problem.system,
         pinned: pinned?.motion ?? null,
+        available: lab.plain.mu_s,
       });
     }
     if (stale.motion || stale.time) plots.setTime(lab.time);
@@ -183,6 +196,7 @@ function start(cases: NamedCase[]): void {
     if (changes.has('view')) {
       embedding.showView();
       level.showView();
+      lecture.showTime();
       ask.showSecret();
       transport.showView();
       hoop.viewChanged();
@@ -200,6 +214,7 @@ function start(cases: NamedCase[]): void {
       transport.showTime();
       story.showTime();
       ask.showTime();
+      lecture.showTime();
       mark.showTime();
       energy.showTime();
       if (!stale.tables) {
@@ -219,12 +234,12 @@ function start(cases: NamedCase[]): void {
   let origin = first.problem;
   const read = (fragment: string): void => {
     clock.pause();
-    const { lesson, pin, rest } = partsOf(fragment);
-    const link = lesson !== null && rest === '' ? LESSONS[lesson].link : rest;
+    const { asked, pin, rest } = partsOf(fragment);
+    const link = asked !== null && rest === '' ? asked.lesson.link : rest;
     const { state, fieldErrors } = parse(link, lab.state);
-    if (lesson !== ask.lesson) openQuestion(lesson);
+    if (asked?.text !== ask.asked?.text) openQuestion(asked);
     reading = true;
-    if (pin !== null || lesson === null) fieldErrors.push(...pinned(pin));
+    if (pin !== null || asked === null) fieldErrors.push(...pinned(pin));
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
     address.taken();
@@ -237,18 +252,18 @@ function start(cases: NamedCase[]): void {
     return errors.map((it) => ({ ...it, field: `pin: ${it.field}` }));
   };
   /** The question of a lesson, and the motion that is pinned for it. */
-  const openQuestion = (lesson: LessonName | null): void => {
-    ask.open(lesson);
+  const openQuestion = (asked: Asked | null): void => {
+    ask.open(asked);
     // A lesson begins with the simple view.
     lab.setView({});
-    const pin = lesson === null ? undefined : LESSONS[lesson].pin;
+    const pin = asked?.lesson.pin;
     lab.pin(pin === undefined ? null : parse(pin).state.problem);
   };
-  const openLesson = (lesson: LessonName | null): void => {
+  const openLesson = (asked: Asked | null): void => {
     clock.pause();
-    openQuestion(lesson);
-    if (lesson === null) return;
-    const { problem } = parse(LESSONS[lesson].link).state;
+    openQuestion(asked);
+    if (asked === null) return;
+    const { problem } = parse(asked.lesson.link).state;
     lab.take(problem, { rate: rateOf(problem) });
     origin = problem;
   };

@@ -64,6 +64,8 @@ export class Lab {
   pinned: { problem: ProblemState; motion: Motion } | null = null;
   /** Whether what comes is to be guessed, and is not shown. */
   isSecret = false;
+  /** Whether a lesson hides the arrows. */
+  hidesArrows = false;
   /** Whether something is being dragged. */
   held = false;
   /** What was known before the drag: of which landing, and what the derivatives say of it. */

@@ -86,7 +86,16 @@ export function painterOfPlots(lab: Lab, palette: Palette): Painter {
     drawPlots(
       c,
       { width, height },
-      { motion, samples, palette, time, units, system, pinned: pinned?.motion ?? null },
+      {
+        motion,
+        samples,
+        palette,
+        time,
+        units,
+        system,
+        pinned: pinned?.motion ?? null,
+        available: lab.plain.mu_s,
+      },
     );
 }
 

@@ -103,6 +103,7 @@ export class HoopPane {
       contact: state.view.embed || isPlain ? null : plain,
       symbols: state.view.symbols && !isPlain,
       isSecret: this.lab.isSecret,
+      hidesArrows: this.lab.hidesArrows,
       pinned: pinned === null ? null : pinnedAt(pinned.motion, time),
       motion,
       sample: motion.at(time),

@@ -38,7 +38,7 @@ export class Level {
 
   private get shown(): Shown {
     const { level, embed } = this.lab.state.view;
-    if (embed) return 'full';
+    if (embed || document.documentElement.hasAttribute('data-lecture')) return 'full';
     if (level !== 'auto') return level;
     const isLesson = document.documentElement.hasAttribute('data-lesson');
     return recall() ?? (IS_ALONE && (SMALL.matches || isLesson) ? 'simple' : 'full');

@@ -51,7 +51,7 @@ export class Share {
     byId('open-share', HTMLButtonElement).addEventListener('click', () => this.open());
     byId('copy-link', HTMLButtonElement).addEventListener('click', () => void this.shareLink());
     byId('close-share', HTMLButtonElement).addEventListener('click', () => this.dialog.close());
-    for (const id of ['link', 'frame', 'shell', 'python']) {
+    for (const id of ['link', 'frame', 'shell', 'python', 'own']) {
       const field = byId(`${id}-text`, HTMLTextAreaElement);
       byId(`copy-${id}-text`, HTMLButtonElement).addEventListener(
         'click',

@@ -25,9 +25,59 @@ export const TEXTS = texts;
 export const LESSONS: Readonly<Record<LessonName, Lesson>> = texts.lessons;
 export const LESSON_NAMES = Object.keys(texts.lessons) as LessonName[];
 
-/** The lesson that a link names, the link of the motion that it pins, and the rest of the link. */
+/** What a lesson of one's own may hide, besides what comes. */
+export const HIDDEN = ['sliders', 'sentences', 'arrows'] as const;
+export type Hidden = (typeof HIDDEN)[number];
+
+/** When an answer may be shown: with an event of this name, at the end, or at once. */
+export const UNTIL = ['lift_off', 'landing', 'slip', 'end', 'start'] as const;
+
+/** A lesson that is shown: one of the list, or one that came in a link. */
+export interface Asked {
+  /** Its name, if it has one. */
+  name: LessonName | null;
+  lesson: Lesson;
+  hides: readonly Hidden[];
+  /** Its part of a link. */
+  text: string;
+}
+
+/** The key of a lesson of one's own in a link. */
+const OWN = 'ask';
+
+export function askedOf(name: LessonName): Asked {
+  return { name, lesson: LESSONS[name], hides: [], text: `lesson=${name}` };
+}
+
+/** A lesson of one's own. */
+export function ownLesson(
+  lesson: Pick<Lesson, 'question' | 'guesses' | 'right' | 'until' | 'answer'>,
+  hides: readonly Hidden[],
+): Asked {
+  const { question, guesses, right, until, answer } = lesson;
+  const says = new URLSearchParams({ question, right: String(right), until, answer });
+  for (const guess of guesses) says.append('guess', guess);
+  for (const hidden of hides) says.append('hide', hidden);
+  const text = `${OWN}=${encodeURIComponent(says.toString())}`;
+  return { name: null, lesson: { ...lesson, title: TEXTS.own, link: '' }, hides, text };
+}
+
+/** A lesson of one's own as a link has it; none where it makes no sense. */
+function readOwn(text: string): Asked | null {
+  const says = new URLSearchParams(unescaped(text));
+  const guesses = says.getAll('guess');
+  const right = Number(says.get('right') ?? NaN);
+  const until = UNTIL.find((it) => it === says.get('until'));
+  const hides = HIDDEN.filter((it) => says.getAll('hide').includes(it));
+  const [question, answer] = [says.get('question') ?? '', says.get('answer') ?? ''];
+  if (question === '' || guesses.length < 2 || guesses[right] === undefined || until === undefined)
+    return null;
+  return ownLesson({ question, guesses, right, until, answer }, hides);
+}
+
+/** The lesson of a link, the link of the motion that it pins, and the rest of the link. */
 export function partsOf(fragment: string): {
-  lesson: LessonName | null;
+  asked: Asked | null;
   pin: string | null;
   rest: string;
 } {
@@ -38,12 +88,13 @@ export function partsOf(fragment: string): {
       .map((part) => [part.split('=', 1)[0]!, part]),
   );
   const said = (key: string): string | null => parts.get(key)?.slice(key.length + 1) ?? null;
-  const lesson = LESSON_NAMES.find((it) => it === said('lesson')) ?? null;
-  const pin = said('pin');
-  // A name that is not known stays, to be reported.
-  if (lesson !== null) parts.delete('lesson');
+  const name = LESSON_NAMES.find((it) => it === said('lesson'));
+  const [own, pin] = [said(OWN), said('pin')];
+  const asked = name === undefined ? (own === null ? null : readOwn(own)) : askedOf(name);
+  // A lesson that is not known stays, to be reported.
+  if (asked !== null) parts.delete(asked.name === null ? OWN : 'lesson');
   parts.delete('pin');
-  return { lesson, pin: pin === null ? null : unescaped(pin), rest: [...parts.values()].join('&') };
+  return { asked, pin: pin === null ? null : unescaped(pin), rest: [...parts.values()].join('&') };
 }
 
 function unescaped(text: string): string {
