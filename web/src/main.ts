@@ -14,6 +14,7 @@ import './style/lecture.css';
 import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
 import { byId } from './dom';
+import { otherLanguage } from './language';
 import { type Change, Lab } from './state/lab';
 import { type NamedCase, rateOf, type State, type Theme } from './state/state';
 import { type FieldError, format, parse } from './state/url';
@@ -39,7 +40,7 @@ import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
 import { Share } from './ui/share';
 import { Story } from './ui/story';
-import { type Asked, partsOf } from './ui/texts';
+import { type Asked, partsOf, writeTexts } from './ui/texts';
 import { isDark, onSystemTheme, paletteOf, setTheme } from './ui/theme';
 import { Transport } from './ui/transport';
 import { Words } from './ui/words';
@@ -49,6 +50,7 @@ import { Plots } from './views/plots';
 const ADDRESS_PAUSE = 250;
 
 watch();
+writeTexts();
 await startCore(showDefect);
 if (!namesAgree()) throw new Error('page and core have different versions');
 start(JSON.parse(casesOfCore()) as NamedCase[]);
@@ -276,6 +278,17 @@ function start(cases: NamedCase[]): void {
       read(fragment);
       origin = lab.state.problem;
     }
+  });
+  const other = otherLanguage();
+  const languageLink = byId('language', HTMLAnchorElement);
+  languageLink.textContent = other.name;
+  languageLink.lang = other.language;
+  // A notebook's page has no address to change.
+  languageLink.hidden = !HAS_ADDRESS;
+  // The motion comes along.
+  languageLink.addEventListener('click', (event) => {
+    event.preventDefault();
+    location.assign(`${other.address}#${address.fragment}`);
   });
   byId('theme', HTMLButtonElement).addEventListener('click', () => {
     lab.setView({ theme: isDark(lab.state.view.theme) ? 'light' : 'dark' });

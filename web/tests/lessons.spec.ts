@@ -1,7 +1,7 @@
 // Lessons: a question, a guess, an answer; and two motions side by side.
 
 import { expect, test } from '@playwright/test';
-import texts from '../src/texts.json' with { type: 'json' };
+import texts from '../src/texts/en.json' with { type: 'json' };
 import { field, open, phases, ready, watch } from './lab';
 
 /** What the paper, its equations and the reference motions say: how each lesson's motion goes on, and which guess is right. */

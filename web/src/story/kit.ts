@@ -9,6 +9,7 @@ import { CAUSE_LABELS, CLASS_LABELS, QUANTITY_ROWS } from '../generated/tables';
 import { Sheet, type Size } from '../views/canvas';
 import { type HoopHost, HoopWidget } from '../views/hoop-widget';
 import { rich } from './rich';
+import { LIBRARY } from './text';
 
 /** What a text file says of a picture. */
 export interface Words {
@@ -26,6 +27,8 @@ export interface Common {
   pause: string;
   time: string;
   laboratory: string;
+  /** What is taken hold of. */
+  weight: string;
 }
 
 export type Draw = (c: CanvasRenderingContext2D, size: Size, palette: Palette) => void;
@@ -303,6 +306,7 @@ export class Picture {
       this.canvas,
       host(() => this.palette),
       this.changed,
+      this.common.weight,
     );
     this.begin(says, link);
   }
@@ -377,7 +381,7 @@ export class Picture {
 
   /** A word of the text, or the library's. */
   word(name: string): string {
-    const word = this.words.controls[name] ?? OF_THE_LIBRARY[name];
+    const word = this.words.controls[name] ?? LIBRARY[name] ?? OF_THE_LIBRARY[name];
     if (word === undefined) throw new Error(`the picture ${this.id} has no word for ${name}`);
     return word;
   }

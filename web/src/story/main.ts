@@ -8,6 +8,7 @@ import '../style/story.css';
 import { namesAgree } from '../core/motion';
 import { startCore } from '../core/wasm';
 import { byId, make } from '../dom';
+import { LANGUAGE, otherLanguage } from '../language';
 import type { Theme } from '../state/state';
 import { isDark, onSystemTheme, paletteOf, setTheme } from '../ui/theme';
 import { addressOf } from './addresses';
@@ -15,13 +16,14 @@ import type { Picture } from './kit';
 import { numbersOfText } from './numbers';
 import { pictureOf } from './pictures';
 import { type Filling, rich } from './rich';
-import { COMMON, LANGUAGE, type Part, SOURCES, STORY } from './text';
+import { COMMON, type Part, SOURCES, STORY } from './text';
 
 let theme: Theme = 'auto';
 const main = byId('story', HTMLElement);
 const themeButton = byId('theme', HTMLButtonElement);
 
 document.documentElement.lang = LANGUAGE;
+document.title = STORY.title;
 byId('skip', HTMLAnchorElement).textContent = COMMON.skip;
 themeButton.title = COMMON.theme;
 themeButton.setAttribute('aria-label', COMMON.theme);
@@ -49,6 +51,8 @@ function tell(numbers: Filling): void {
     make('p', {}, ...rich(text, numbers, addressOf));
   for (const [name, words] of Object.entries(COMMON.links))
     themeButton.before(make('a', { href: addressOf(name) }, words), ' ');
+  const other = otherLanguage();
+  themeButton.before(make('a', { href: other.address, lang: other.language }, other.name), ' ');
   const pictures: Picture[] = [];
   const bodyOf = (body: Part['body']): HTMLElement[] =>
     body.map((it) => {

@@ -5,6 +5,7 @@ import type { Event, Motion } from '../core/motion';
 import { classOf } from '../core/wasm';
 import { brief } from '../dom';
 import { CLASSES, type Class } from '../generated/tables';
+import { withMark } from '../language';
 import {
   climbingDisc,
   FIGURE_7,
@@ -21,25 +22,26 @@ import {
   thinHoop,
 } from './hoops';
 import type { Filling } from './rich';
+import { DECIMAL } from './text';
 
 /** The usual number of digits. */
 const DIGITS = 3;
 
 export function plain(value: number, digits = DIGITS): string {
-  return brief(value, digits);
+  return withMark(brief(value, digits), DECIMAL);
 }
 
 export function degrees(angle: number, digits = DIGITS): string {
-  return `${brief((angle * 180) / Math.PI, digits)}°`;
+  return `${plain((angle * 180) / Math.PI, digits)}°`;
 }
 
 /** A part of one, in per cent where that is short. */
 export function percent(part: number, digits = 2): string {
-  return `${brief(100 * part, digits)}\u00a0%`;
+  return `${plain(100 * part, digits)}\u00a0%`;
 }
 
 export function millimetres(metres: number): string {
-  return `${brief(1000 * metres, 2)}\u00a0mm`;
+  return `${plain(1000 * metres, 2)}\u00a0mm`;
 }
 
 /** The radius of the disc on the ramp, in metres and in words. */

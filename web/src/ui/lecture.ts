@@ -7,6 +7,7 @@ import type { Lab } from '../state/lab';
 import type { ProblemState } from '../state/state';
 import { format } from '../state/url';
 import { setLetters } from '../views/font';
+import { TEXTS } from './texts';
 
 /** How much larger the letters in pictures are. */
 const LARGER = 1.6;
@@ -78,7 +79,7 @@ export class Lecture {
   private show(isOn: boolean): void {
     document.documentElement.toggleAttribute('data-lecture', isOn);
     this.button.setAttribute('aria-pressed', String(isOn));
-    this.button.textContent = isOn ? 'End' : 'Lecture';
+    this.button.textContent = isOn ? TEXTS.page.lecture_end : TEXTS.page.lecture;
     setLetters(isOn ? LARGER : 1);
     this.draw();
   }

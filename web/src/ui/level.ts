@@ -3,6 +3,7 @@
 import { byId } from '../dom';
 import type { Lab } from '../state/lab';
 import { HAS_ADDRESS, IS_ALONE } from './address';
+import { TEXTS } from './texts';
 
 /** Where the browser keeps what was chosen last. */
 const KEY = 'littlewood-level';
@@ -50,9 +51,9 @@ export class Level {
     document.documentElement.toggleAttribute('data-words', !symbols);
     this.symbols.checked = symbols;
     byId('skip', HTMLAnchorElement).textContent = this.isSimple
-      ? 'To the weight of the hoop'
-      : 'To the start on the phase plane';
-    this.button.textContent = this.isSimple ? 'Full view' : 'Simple view';
+      ? TEXTS.page.to_weight
+      : TEXTS.page.to_start;
+    this.button.textContent = this.isSimple ? TEXTS.page.full : TEXTS.page.simple;
   }
 }
 

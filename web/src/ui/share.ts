@@ -14,6 +14,7 @@ import {
   svgOf,
   type View,
 } from './export';
+import { TEXTS } from './texts';
 
 /** The motion at an address as a frame for another page. */
 function frameOf(address: string): string {
@@ -107,7 +108,7 @@ export class Share {
   private async copy(text: string, field: HTMLTextAreaElement | null): Promise<void> {
     try {
       await navigator.clipboard.writeText(text);
-      this.notify('Copied.');
+      this.notify(TEXTS.page.copied);
     } catch {
       if (!field) {
         this.open();
@@ -115,7 +116,7 @@ export class Share {
       } else {
         field.select();
       }
-      this.notify('The browser does not allow copying: the text is selected instead.');
+      this.notify(TEXTS.page.not_copied);
     }
   }
 

@@ -1,8 +1,23 @@
-// The words of the simple view and of the lessons, which are in one file to be translated.
+// The words of the simple view and of the lessons, which are in one file for each language.
 
-import texts from '../texts.json';
+import { brief } from '../dom';
+import { LANGUAGE, withMark } from '../language';
+import en from '../texts/en.json';
 
-export type LessonName = keyof typeof texts.lessons;
+type English = typeof en;
+
+/** What a translation says. Sentences of events are the library's, which has English ones. */
+type Texts = Omit<English, 'lessons'> & {
+  readonly lessons: Record<
+    keyof English['lessons'],
+    { title: string; question: string; guesses: string[]; answer: string }
+  >;
+  readonly events?: Readonly<Record<string, string>>;
+};
+
+const texts: Texts = LANGUAGE === 'de' ? (await import('../texts/de.json')).default : en;
+
+export type LessonName = keyof English['lessons'];
 
 export interface Question {
   question: string;
@@ -22,8 +37,11 @@ export interface Lesson extends Question {
 }
 
 export const TEXTS = texts;
-export const LESSONS: Readonly<Record<LessonName, Lesson>> = texts.lessons;
-export const LESSON_NAMES = Object.keys(texts.lessons) as LessonName[];
+export const LESSON_NAMES = Object.keys(en.lessons) as LessonName[];
+/** In the words of the language; motion and right guess stand in the first file alone. */
+export const LESSONS = Object.fromEntries(
+  LESSON_NAMES.map((name) => [name, { ...en.lessons[name], ...texts.lessons[name] }]),
+) as Record<string, Lesson> as Readonly<Record<LessonName, Lesson>>;
 
 /** What a lesson of one's own may hide, besides what comes. */
 export const HIDDEN = ['sliders', 'sentences', 'arrows'] as const;
@@ -107,5 +125,42 @@ function unescaped(text: string): string {
 
 /** A text with its values. */
 export function filled(text: string, values: Readonly<Record<string, string>>): string {
-  return text.replace(/\{(\w+)\}/g, (all, name: string) => values[name] ?? all);
+  return text.replace(/\{(\w+)\}/g, (all, name: string) =>
+    withMark(values[name] ?? all, TEXTS.decimal),
+  );
+}
+
+/** A start in words, its rate in the units that are shown. */
+export function sayStart(theta: number, rate: number, unit: string): string {
+  const { top, bottom, left, right, rest, counterclockwise, clockwise } = TEXTS.start;
+  const degrees = Math.round((theta * 180) / Math.PI);
+  const side = degrees > 0 ? left : right;
+  const place =
+    degrees === 0
+      ? top
+      : Math.abs(degrees) === 180
+        ? bottom
+        : filled(side, { angle: String(Math.abs(degrees)) });
+  if (rate === 0) return filled(rest, { place });
+  return filled(rate > 0 ? counterclockwise : clockwise, {
+    place,
+    rate: `${brief(Math.abs(rate), 3)} ${unit}`,
+  });
+}
+
+/** Writes the words into the document: `data-text` is the place of one, `data-label` that of a label that is spoken. */
+export function writeTexts(): void {
+  document.documentElement.lang = LANGUAGE;
+  const wordOf = (key: string | undefined): string => {
+    const words: Readonly<Record<string, string>> = TEXTS.page;
+    const word = words[key ?? ''];
+    if (word === undefined) throw new Error(`there is no text named ${key}`);
+    return word;
+  };
+  for (const element of document.querySelectorAll<HTMLElement>('[data-text]'))
+    element.textContent = wordOf(element.dataset.text);
+  for (const element of document.querySelectorAll<HTMLElement>('[data-label]'))
+    element.setAttribute('aria-label', wordOf(element.dataset.label));
+  for (const element of document.querySelectorAll<HTMLElement>('[data-tip]'))
+    element.title = wordOf(element.dataset.tip);
 }

@@ -22,10 +22,10 @@ export interface HoopScene {
   palette: Palette;
   /** What a radius is worth on the axis, and its unit; R without it. */
   axis?: { radius: number; unit: string };
-  /** The weight of hoop and particle, m₂g, by which the arrows of forces are scaled, and how it is written at the bar of that scale, if there is one. */
-  weight?: { force: number; text: string | null };
+  /** The weight of hoop and particle, m₂g, by which the arrows of forces are scaled, and how it is written at the bar of that scale, if there is one, and at its arrow. */
+  weight?: { force: number; text: string | null; name: string };
   /** The coefficients of friction of the inset of the contact; without them there is none. */
-  contact?: { mu_s: number; mu_k: number } | null;
+  contact?: { mu_s: number; mu_k: number; words: Readonly<Record<Mode, string>> } | null;
   /** Whether letters stand at what is drawn. */
   symbols?: boolean;
   /** Whether what comes is not shown. */
@@ -425,7 +425,7 @@ function drawArrows(
     if (camera.scale > 45)
       label(
         c,
-        'weight',
+        scene.weight.name,
         mx + 7 * side,
         my + 0.8 * WEIGHT * camera.scale,
         palette.ink.soft,
@@ -550,7 +550,7 @@ function drawContact(
   size: Size,
   scene: HoopScene,
   sample: Sample,
-  { mu_s, mu_k }: { mu_s: number; mu_k: number },
+  { mu_s, mu_k, words }: NonNullable<HoopScene['contact']>,
 ): void {
   const { palette } = scene;
   // On a phone it would hide the hoop.
@@ -613,7 +613,7 @@ function drawContact(
   const force = Math.hypot(sample.normal, sample.friction);
   label(
     c,
-    sample.gap > 0 ? 'no contact' : force > 0 ? HOLD[mode] : 'no force',
+    sample.gap > 0 ? 'no contact' : force > 0 ? words[mode] : 'no force',
     x,
     top + 11,
     palette.ink.ink,
@@ -621,16 +621,6 @@ function drawContact(
   );
   c.restore();
 }
-
-/** What friction does at the contact. */
-const HOLD: Readonly<Record<Mode, string>> = {
-  rolling: 'the grip holds',
-  sliding: 'the rim slips',
-  gliding: 'no force',
-  flight: 'no contact',
-  rest: 'the grip holds',
-  skidding: 'the rim slips',
-};
 
 /** The inset's own view: level, whatever the plane is. */
 const UPRIGHT: Camera = {
