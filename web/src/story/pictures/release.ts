@@ -23,7 +23,7 @@ const RATE = 4;
 const COUNT_PAUSE = 200;
 
 /** The part of the motions that the film waits for, and the time for a second of the screen. */
-const PART = 0.995;
+const PART = 0.93;
 const SPEED = 1.3;
 
 /** The first hoop that is shown: one that hops, in parts of the plane. */
