@@ -305,3 +305,20 @@ for (const theme of ['light', 'dark'] as const) {
     }
   });
 }
+
+test('the sliders in words find where the outcome changes, once it is known', async ({ page }) => {
+  await open(page, 'case=figure-3&level=simple');
+  const find = page.getByRole('button', { name: 'Where does it change? Spin' });
+  await expect(find).toBeHidden();
+  await page.locator('#last').click();
+  await find.press('Enter');
+  const found = page.locator('output.found').first();
+  await expect(found).toHaveText(/^Below [\d.]+: .*\. From there on: .*\.$/);
+  const value = Number(/[\d.]+/.exec((await found.textContent())!)![0]);
+  // The motion is the first of the upper side. The same by bisection of `littlewood simulate`.
+  await expect(page).toHaveURL(new RegExp(`theta_rate=${String(value).slice(0, 6)}`));
+  expect(Math.abs(value - 1.6448)).toBeLessThan(2e-4);
+  // Another motion has another place.
+  await page.getByRole('slider', { name: 'Spin at the start' }).press('End');
+  await expect(found).toBeEmpty();
+});

@@ -1,7 +1,7 @@
 // Each language has the same texts, with the same places, links and colours in them.
 
 import { expect, type Page, test } from '@playwright/test';
-import { CAUSES, OUTCOMES } from '../src/generated/tables';
+import { CAUSES, CLASSES, OUTCOMES } from '../src/generated/tables';
 import * as de from '../src/story/texts/de';
 import * as en from '../src/story/texts/en';
 import german from '../src/texts/de.json' with { type: 'json' };
@@ -35,7 +35,7 @@ test('the files of the languages have the same keys and places', () => {
   agree(englishStory, story);
   expect(Object.keys(sources.list)).toEqual(Object.keys(englishSources.list));
   // Motion and right guess of a lesson are no text.
-  const { events, ...texts } = german;
+  const { events, classes, ...texts } = german;
   const lessons = Object.fromEntries(
     Object.entries(english.lessons).map(([name, { title, question, guesses, answer }]) => [
       name,
@@ -43,6 +43,7 @@ test('the files of the languages have the same keys and places', () => {
     ]),
   );
   agree({ ...english, lessons }, texts);
+  expect(Object.keys(classes).sort()).toEqual([...CLASSES].sort());
   const told = ['start', ...CAUSES, ...OUTCOMES.filter((it) => !/not_computed|invalid/.test(it))];
   expect(Object.keys(events).sort()).toEqual([...new Set(told)].sort());
 });

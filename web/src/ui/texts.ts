@@ -6,13 +6,14 @@ import en from '../texts/en.json';
 
 type English = typeof en;
 
-/** What a translation says. Sentences of events are the library's, which has English ones. */
+/** What a translation says. Sentences of events and names of classes are the library's, which has English ones. */
 type Texts = Omit<English, 'lessons'> & {
   readonly lessons: Record<
     keyof English['lessons'],
     { title: string; question: string; guesses: string[]; answer: string }
   >;
   readonly events?: Readonly<Record<string, string>>;
+  readonly classes?: Readonly<Record<string, string>>;
 };
 
 const texts: Texts = LANGUAGE === 'de' ? (await import('../texts/de.json')).default : en;

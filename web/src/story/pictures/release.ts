@@ -23,7 +23,7 @@ const RATE = 4;
 const COUNT_PAUSE = 200;
 
 /** The part of the motions that the film waits for, and the time for a second of the screen. */
-const PART = 0.995;
+const PART = 0.93;
 const SPEED = 1.3;
 
 /** The first hoop that is shown: one that hops, in parts of the plane. */
@@ -132,6 +132,21 @@ export function release(picture: Picture): void {
       c.strokeStyle = palette.ink.soft;
       c.lineWidth = 1;
       c.strokeRect(left, top, edge, edge);
+      // The square that is chosen.
+      const each = edge / side;
+      for (const [colour, thick] of [
+        [palette.ink.paper, 4],
+        [palette.ink.ink, 2],
+      ] as const) {
+        c.strokeStyle = colour;
+        c.lineWidth = thick;
+        c.strokeRect(
+          left + column.value * each - 1,
+          top + row.value * each - 1,
+          each + 2,
+          each + 2,
+        );
+      }
       words(c, picture.word('across'), [left + edge / 2, top + edge + 14], palette, 'center', 13);
       c.save();
       c.translate(left - 13, top + edge / 2);
