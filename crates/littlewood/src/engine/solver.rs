@@ -1,6 +1,7 @@
 //! Phases from [`HoopModel`] where these resolve them to rounding, and solved exactly elsewhere.
 
 use core::cell::Cell;
+use std::sync::OnceLock;
 
 use crate::ablation::{Part, is_on};
 use crate::math::trig::Angle;
@@ -55,7 +56,7 @@ pub(super) struct FastSolver<'a> {
     pub(super) hoop: &'a Hoop,
     pub(super) model: &'a HoopModel,
     /// SlipMaps of slips, if they are passed by whole links.
-    slip_maps: Option<&'a [SlipMaps]>,
+    slip_maps: Option<&'a OnceLock<Vec<SlipMaps>>>,
     pub(super) exact: Exact<'a>,
     /// Phases of a motion before its slips are.
     phases_before_links: u32,
@@ -174,7 +175,7 @@ impl<'a> FastSolver<'a> {
     /// Passes slips by whole links, after so many phases.
     pub(super) fn with_slip_maps(
         self,
-        slip_maps: Option<&'a [SlipMaps]>,
+        slip_maps: Option<&'a OnceLock<Vec<SlipMaps>>>,
         phases_before_links: u32,
     ) -> Self {
         Self {
@@ -926,10 +927,13 @@ impl Solver for FastSolver<'_> {
             return None;
         }
         let (state, heading) = (place.state, place.heading());
+        let maps = self
+            .slip_maps?
+            .get_or_init(|| SlipMaps::new(self.hoop, self.model));
         let maps = if heading < 0.0 {
-            self.slip_maps?.last()
+            maps.last()
         } else {
-            self.slip_maps?.first()
+            maps.first()
         }?;
         let mirror = maps.mirror();
         let start = mirrored_by(&state, mirror);
