@@ -26,8 +26,8 @@ const COUNT_PAUSE = 200;
 const PART = 0.93;
 const SPEED = 1.3;
 
-/** The first hoop that is shown: one that hops, in parts of the plane. */
-const FIRST = [0.5, 0.38] as const;
+/** The first hoop that is shown: one that hops, and not that of the question; in parts of the plane. */
+const FIRST = [0.75, 0.25] as const;
 
 /** Pixels about the plane. */
 const MARGIN = { left: 26, right: 8, top: 8, bottom: 26 };
