@@ -251,7 +251,7 @@ def windows() -> list[str]:
     law, rows = Swings.of(SWINGING), []
     for mu in (0.5, 1.0):
         first, slip = law.slope(law.top()), law.slope(law.grip(mu))
-        for chi in (0.01, 0.0025):
+        for chi in (0.01, 0.005):
             seen = (
                 end_of(1.0, chi, "rest", first + 0.01, first - 0.01),
                 end_of(mu, chi, "slip", slip - 0.01, slip + 0.01),
