@@ -381,7 +381,7 @@ mod tests {
         let limits = Limits::until(2_000.0);
         let (origin, start, limits) = Origin::of(&hoop, &Start::at(-2.0, -0.5), limits);
         let solver = FastSolver::new(&hoop, model, &limits);
-        let mut recorder = SummaryRecorder::new(&hoop, origin);
+        let mut recorder = SummaryRecorder::new(&hoop, &origin);
         let settings = WalkSettings {
             limits: &limits,
             shared: engine.shared_proof_data(None),
