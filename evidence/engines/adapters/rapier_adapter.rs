@@ -5,6 +5,8 @@
 //! contact: rigid
 //! settings: default careful
 //! requires: cargo:rapier
+//! limits: own_turn=0.785/step turn=0.785/step own_speed=400 speed=400 sleep=0.03 friction=mean
+//!   force=1.00,+0 rolling=none rolling_small=none rolling_slow=none
 //! docs: https://rapier.rs/docs/
 //!
 //! default: as the crate comes. Its contact is a spring, critically damped tenfold, of 60 Hz
@@ -59,8 +61,7 @@ fn world(case: &Case, step: f64, is_careful: bool) -> Result<(PhysicsWorld, Rigi
         with.friction_in_bias_pass = true;
         with.contact_recycling = false;
     }
-    let (h, theta, rate) =
-        (case.get("h")? * radius, case.get("theta")?, case.get("theta_rate")? / second);
+    let (h, theta, rate) = (case.get("h")? * radius, case.get("theta")?, case.get("theta_rate")? / second);
     let (mu, restitution) = (case.get("mu_k")?, case.get("restitution")?);
     let ground = case.get("plane").ok().filter(|&other| other >= 0.0).unwrap_or(mu);
     let plane =
@@ -120,7 +121,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let pushed: f64 = world
                 .narrow_phase
                 .contact_pairs()
-                .flat_map(|pair| &pair.manifolds)
+                .flat_map(|pair| pair.manifolds())
                 .flat_map(|manifold| &manifold.points)
                 .map(|point| point.data.impulse)
                 .sum();
