@@ -6,6 +6,7 @@ import pytest
 # The extra that a call names when a module is not there.
 CALLS = [
     ("xarray", "xarray", "lw.simulate_many(hoop, theta=[0.0], theta_rate=1.0)"),
+    ("xarray", "xarray", "import littlewood.jax; lw.jax.summary(['end_x'], hoop, theta=1.0)"),
     ("pandas", "xarray", "motion.to_pandas()"),
     ("pandas", "xarray", "motion.impacts()"),
     ("dask", "dask", "lw.outcome_map(hoop, theta=[0.0, 1.0], theta_rate=1.0, chunks=1)"),

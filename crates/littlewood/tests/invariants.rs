@@ -80,7 +80,9 @@ pub(crate) fn check_phase(
     for elapsed in instants(phase.duration(), 40) {
         let now = phase.sample(elapsed);
         if !now.state.theta_rate.is_finite() {
-            continue; // the particle at the bottom of a glide
+            // The particle at the bottom of a glide.
+            prop_assert!((now.energy - first.energy).abs() < LAW_ROUNDING * size);
+            continue;
         }
         size = size.max(self::size(hoop, &now));
         prop_assert_eq!(now.mode, phase.mode());

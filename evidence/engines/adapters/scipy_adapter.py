@@ -12,7 +12,8 @@ events. It chooses its steps itself: the step of the case is only that of the re
 not fall with it.
 default: RK45 with the tolerances that SciPy has (rtol 1e-3, atol 1e-6).
 careful: DOP853, rtol 1e-12, atol 1e-13.
-Can express: mu_s and mu_k, and, by our equations, Poisson's restitution.
+Can express: mu_s and mu_k, and, by our equations, Poisson's restitution. An event function that
+falls and rises again within a step is not seen; of two that are zero at once one is reported.
 """
 
 import numpy as np

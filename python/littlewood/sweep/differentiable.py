@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from .._internal.elementwise import Reals
+from .._internal.extras import require
 from ..hoop import Hoop
 from ..tables import AXES, FRICTION, SUMMARY_COLUMNS
 from .many import simulate_many
@@ -28,6 +29,7 @@ class Problem:
     """Columns of summaries as functions of some quantities."""
 
     def __init__(self, columns: Iterable[str], hoop: Hoop | None, fixed: Mapping[str, Any]) -> None:
+        require("xarray")  # here: what a callback of JAX raises comes below a hundred lines of it
         self.columns = tuple(columns)
         known = [name for name, column in SUMMARY_COLUMNS.items() if column.kind == "real"]
         for name in self.columns:
