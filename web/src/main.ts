@@ -13,7 +13,7 @@ import './style/embed.css';
 import './style/lecture.css';
 import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
-import { byId } from './dom';
+import { byId, inSight } from './dom';
 import { otherLanguage } from './language';
 import { type Change, Lab } from './state/lab';
 import { type NamedCase, rateOf, type State, type Theme } from './state/state';
@@ -138,11 +138,21 @@ function start(cases: NamedCase[]): void {
     },
   );
 
+  /** What is out of sight is drawn when it comes. */
+  const plotsInSight = inSight(byId('plots', HTMLDivElement), draw);
   const stale = { motion: true, time: true, tables: false };
   function paint(): void {
     frame = 0;
     hoop.paint();
     if (!isWhole()) return;
+    paintPlots();
+    plane.paint();
+    impact.paint();
+    moves.paint();
+  }
+
+  function paintPlots(isPrinted = false): void {
+    if (!plotsInSight() && !isPrinted) return;
     if (stale.motion) {
       const { motion, units, pinned, state } = lab;
       plots.setMotion({
@@ -156,9 +166,6 @@ function start(cases: NamedCase[]): void {
     if (stale.motion || stale.time) plots.setTime(lab.time);
     stale.motion = false;
     stale.time = false;
-    plane.paint();
-    impact.paint();
-    moves.paint();
   }
 
   const showTheme = (): void => {
@@ -209,7 +216,8 @@ function start(cases: NamedCase[]): void {
       }
     }
     // Out of sight they wait for the end of a drag, which has the time.
-    if (stale.tables && !(level.isSimple && lab.held)) showTables();
+    if (stale.tables && !(level.hidesTables && lab.held)) showTables();
+    else if (stale.tables && !level.isSimple) fields.show();
     if (changes.has('hoop')) plane.hoopChanged();
     if (changes.has('time')) {
       stale.time = true;
@@ -302,6 +310,7 @@ function start(cases: NamedCase[]): void {
   });
   window.addEventListener('beforeprint', () => {
     byId('sheet-link', HTMLParagraphElement).textContent = address.text;
+    paintPlots(true);
   });
   window.addEventListener('hashchange', () => {
     if (location.hash.slice(1) !== address.fragment) read(location.hash);

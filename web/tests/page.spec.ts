@@ -205,6 +205,8 @@ test('it works without a network once it has been there', async ({ page, context
   await ready(page);
   await context.setOffline(true);
   await page.goto('./#case=figure-7');
+  // It has read the address before it is left.
+  await expect(page.locator('#case')).toHaveValue('figure-7');
   await page.reload();
   await ready(page);
   expect((await phases(page)).map((it) => it.end)).toContain('particle at the plane');

@@ -75,6 +75,8 @@ test('the question is kept until the hoop has answered it, and the guess is comp
 });
 
 test('every control of every picture changes what is drawn', async ({ page }) => {
+  // Smaller pictures are read sooner.
+  await page.setViewportSize({ width: 640, height: 800 });
   await open(page);
   for (const name of NAMES) {
     const picture = figure(page, name);

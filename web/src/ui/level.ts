@@ -33,6 +33,11 @@ export class Level {
     if (HAS_ADDRESS && IS_ALONE && recall() === null) this.lab.setView({ level: 'simple' });
   }
 
+  /** Whether tables are out of sight of who drags: in the simple view, and on small screens. */
+  get hidesTables(): boolean {
+    return this.isSimple || SMALL.matches;
+  }
+
   get isSimple(): boolean {
     return this.shown === 'simple';
   }
