@@ -67,15 +67,15 @@ impl Drawn {
 
     /// Adds the lines and the marks of a layer.
     fn add(&mut self, layer: &Layer, axes: &[&PlotAxis], at: &dyn Fn(&[f64]) -> Option<Point>) {
-        // How far a mark reaches around its place; a line has no marks.
-        let (colour, reach) = match layer.mark {
-            Mark::Line(Stroke { colour, .. })
-            | Mark::Arrow(Stroke { colour, .. })
-            | Mark::Head(colour) => (colour, 0.0),
+        // How far a mark reaches around its place, and whether it is data.
+        let (colour, reach, is_kept) = match layer.mark {
+            Mark::Line(Stroke { colour, width, .. })
+            | Mark::Arrow(Stroke { colour, width, .. }) => (colour, 0.0, width > THIN),
+            Mark::Head(colour) => (colour, 0.0, false),
             Mark::Dot(colour, radius)
             | Mark::Ring(colour, radius)
             | Mark::Diamond(colour, radius)
-            | Mark::Cross(colour, radius) => (colour, radius),
+            | Mark::Cross(colour, radius) => (colour, radius, true),
             Mark::Fill(_)
             | Mark::Region(_)
             | Mark::Hatch(_)
@@ -93,8 +93,6 @@ impl Drawn {
             at(&values)
         };
         let is_line = matches!(layer.mark, Mark::Line(_) | Mark::Arrow(_));
-        let is_kept =
-            matches!(layer.mark, Mark::Line(stroke) | Mark::Arrow(stroke) if stroke.width > THIN);
         let cell = Cell { dark, is_kept };
         for piece in &layer.series.pieces {
             let places: Vec<Point> = piece.iter().filter_map(place).collect();
