@@ -1,26 +1,16 @@
 // The words of `en.ts` in German.
 
+import german from '../../texts/de.json' with { type: 'json' };
 import type { StoryTexts } from '../text';
 import { SOURCES as ENGLISH_SOURCES } from './en';
+
+const { classes } = german;
 
 export const DECIMAL = ',';
 
 export const LIBRARY: StoryTexts['LIBRARY'] = {
   restitution: 'Stoßzahl e',
-  leaves_at_once: 'hebt sofort ab',
-  lifts_off_later: 'springt später',
-  rolls_forever: 'rollt ewig',
-  repeats_forever: 'wiederholt sich ewig',
-  slips_forever: 'rollt und rutscht ewig',
-  in_contact: 'verlässt den Boden nie',
-  rests: 'bleibt stehen',
-  particle_at_plane: 'Gewicht am Boden',
-  particle_at_bottom: 'Gewicht ganz unten',
-  particle_at_top: 'Gewicht ganz oben',
-  painleve: 'Painlevés Paradox',
-  unresolved: 'nicht aufgelöst',
-  invalid: 'nicht möglich',
-  not_computed: 'nicht berechnet',
+  ...classes,
 };
 
 export const COMMON: StoryTexts['COMMON'] = {
@@ -189,7 +179,6 @@ export const PICTURES: StoryTexts['PICTURES'] = {
       flies: 'fliegt',
       lifts_off_later: 'ist gesprungen',
       leaves_at_once: 'hob sofort ab und ist gelandet',
-      rolls_forever: 'rollt ewig',
       in_contact: 'verlässt den Boden nie',
     },
     says: {

@@ -181,7 +181,6 @@ export const PICTURES = {
       flies: 'flies',
       lifts_off_later: 'has hopped',
       leaves_at_once: 'left at once, and has landed',
-      rolls_forever: 'rolls for ever',
       in_contact: 'never leaves the ground',
     },
     says: {
