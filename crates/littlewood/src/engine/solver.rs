@@ -256,8 +256,8 @@ impl<'a> FastSolver<'a> {
         }
     }
 
-    /// A phase that was solved exactly, as one of the engine.
-    pub(super) fn taken_over(&self, solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
+    /// Converts a phase that was solved exactly.
+    pub(super) fn converted(&self, solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
         let solution = solved.solution.flight().map(|flight| self.jump(flight));
         let end = match solved.end {
             PhaseEnd::Rest { point, arrival } => PhaseEnd::Rest {
@@ -551,7 +551,7 @@ impl<'a> FastSolver<'a> {
             ErrorBound::Simulated(phases) => {
                 let error = ErrorBound::behind_simulated(phases.get() - 1);
                 self.error.set(error);
-                Some(self.taken_over(exact(&self.exact)))
+                Some(self.converted(exact(&self.exact)))
             }
             ErrorBound::Lost => Some(PhaseResult {
                 solution: None,
@@ -603,7 +603,7 @@ impl<'a> FastSolver<'a> {
             if entry != Entry::Moving && entry != ON_LIMIT {
                 self.add_phase_error(&state);
             }
-            self.taken_over(solved)
+            self.converted(solved)
         };
         if let Some(result) = self.not_computed(state, &exact) {
             return result;
@@ -763,7 +763,7 @@ impl Solver for FastSolver<'_> {
         self.has_slipped.set(false);
         let left_to_the_simulation = |reason: Fallback| {
             self.model.fallbacks.add(reason);
-            self.taken_over(self.exact.roll(&state, on_limit))
+            self.converted(self.exact.roll(&state, on_limit))
         };
         if let Some(result) = self.not_computed(state, |exact| exact.roll(&state, on_limit)) {
             return result;
@@ -773,7 +773,7 @@ impl Solver for FastSolver<'_> {
         }
         let uses_tables = self.uses_tables();
         if self.model.leaves_rolling(uses_tables) {
-            return self.taken_over(self.exact.roll(&state, on_limit));
+            return self.converted(self.exact.roll(&state, on_limit));
         }
         let end: Ended = match self.model.roll(place, on_limit, uses_tables) {
             Ok(RollEnd::Never) => PhaseEnd::Motion {
@@ -833,7 +833,7 @@ impl Solver for FastSolver<'_> {
         }
         // Whatever follows from a state of the simulation goes on as there.
         if self.error.get().is_exact() && self.hoop.restitution().is_some() {
-            return self.taken_over(self.exact.fly(&state, body, take_off));
+            return self.converted(self.exact.fly(&state, body, take_off));
         }
         let flight = match take_off {
             TakeOff::Grazing => {
@@ -891,11 +891,11 @@ impl Solver for FastSolver<'_> {
     }
 
     fn settle(&self, place: &EngineState, body: &Heavy, settling: &Settling) -> PhaseResult<Self> {
-        self.taken_over(self.exact.settle(&place.state, body, settling))
+        self.converted(self.exact.settle(&place.state, body, settling))
     }
 
     fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
-        self.taken_over(self.exact.glide(&place.state, body, entry))
+        self.converted(self.exact.glide(&place.state, body, entry))
     }
 
     fn resisted(
