@@ -114,7 +114,7 @@ pub(crate) fn si_quantities() -> impl Iterator<Item = Quantity> {
 }
 
 /// A number, which may be written with π: `-pi`, `2pi`, `3*pi/4`.
-fn parse_number(text: &str) -> Option<f64> {
+pub(crate) fn parse_number(text: &str) -> Option<f64> {
     if let Ok(value) = text.parse() {
         return Some(value);
     }

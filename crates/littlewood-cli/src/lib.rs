@@ -29,6 +29,7 @@ mod simulate;
 mod store;
 #[cfg(feature = "sweep")]
 mod sweep;
+mod threshold;
 mod unfinished;
 mod values;
 mod work;
@@ -58,6 +59,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let result = match cli.command {
         Command::Simulate(args) => simulate::run(&args),
         Command::Classify(args) => classify::run(&args),
+        Command::Threshold(args) => threshold::run(&args),
         Command::Cases(args) => cases::run(&args),
         Command::Map(args) => map::run(&args),
         #[cfg(feature = "sweep")]

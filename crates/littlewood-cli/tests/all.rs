@@ -60,3 +60,4 @@ mod snapshots;
     allow(dead_code, reason = "without a feature some of it has nobody to help")
 )]
 mod support;
+mod threshold;

@@ -12,10 +12,11 @@ use std::path::PathBuf;
 use crate::support::littlewood;
 
 /// Each command with all its flags.
-const HELP: [&str; 10] = [
+const HELP: [&str; 11] = [
     "--help",
     "simulate --help",
     "classify --help",
+    "threshold --help",
     "cases --help",
     "map --help",
     "sweep --help",
@@ -53,10 +54,11 @@ const ERRORS: [&str; 23] = [
 ];
 
 /// The tables that people read.
-const TABLES: [&str; 9] = [
+const TABLES: [&str; 10] = [
     "cases",
     "classify figure-3",
     "classify figure-7",
+    "threshold figure-3 --of theta_rate",
     "simulate figure-3",
     "simulate figure-3 --digits",
     "simulate figure-3 --restitution 0.5",

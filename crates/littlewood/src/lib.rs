@@ -212,6 +212,12 @@ pub mod energy {
     pub use crate::motion::energy::{EnergyLedger, EnergyParts};
 }
 
+pub mod thresholds {
+    //! Where a quantity changes what becomes of a motion, to the last digit.
+
+    pub use crate::motion::threshold::{ClassAt, SearchRange, Searched, Threshold};
+}
+
 pub mod si {
     //! SI units: a hoop and its start in kilograms, metres and seconds, and the units that convert
     //! its motion.

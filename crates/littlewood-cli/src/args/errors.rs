@@ -51,7 +51,7 @@ pub(super) fn parse_error(text: &str) -> Result<(Quantity, f64), String> {
     }
 }
 
-fn parse_name(name: &str, or: &'static str) -> Result<Quantity, String> {
+pub(super) fn parse_name(name: &str, or: &'static str) -> Result<Quantity, String> {
     let known = || Quantity::HOOP.into_iter().chain(Quantity::START);
     let plain = name.replace('-', "_");
     known()

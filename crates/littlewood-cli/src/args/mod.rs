@@ -14,6 +14,7 @@ mod poster;
 mod problem;
 mod quantity;
 mod sweep;
+mod threshold;
 
 #[cfg(feature = "film")]
 pub(crate) use animate::AnimateArgs;
@@ -40,6 +41,7 @@ pub(crate) use sweep::SweepArgs;
 #[cfg(feature = "film")]
 pub(crate) use sweep::size;
 pub(crate) use sweep::{MapArgs, WorkArgs};
+pub(crate) use threshold::{ThresholdArgs, ThresholdOf};
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -84,6 +86,9 @@ pub(crate) enum Command {
     /// Classify a start: its region and the motion that begins there, without simulating it
     #[command(long_about = CLASSIFY, after_help = CLASSIFY_EXAMPLES)]
     Classify(Box<ClassifyArgs>),
+    /// Find the value of a quantity at which the outcome of a motion changes, to the last digit
+    #[command(long_about = threshold::THRESHOLD, after_help = threshold::THRESHOLD_EXAMPLES)]
+    Threshold(Box<ThresholdArgs>),
     /// List the named cases: motions that the paper shows or discusses
     Cases(CasesArgs),
     /// Simulate a 2-D grid of starts: a picture, or a store for xarray or data frames

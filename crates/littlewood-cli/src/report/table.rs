@@ -5,11 +5,15 @@ use littlewood::impact::Impact;
 use littlewood::modes::{RollingLimit, SlideLimit};
 use littlewood::tables::{Dimension, Quantity};
 use littlewood::theory::{Classification, RollingType, StartRegion};
+use littlewood::thresholds::{Searched, Threshold};
 use littlewood::{Hoop, Outcome, Trajectory};
 use littlewood_report::number::brief;
 use littlewood_report::page::{self, Look};
 use littlewood_report::scale::Scale;
-use littlewood_report::sentence::{consistent, contact_margin, examined, returns, unresolved};
+use littlewood_report::sentence::{
+    consistent, contact_margin, examined, no_threshold, returns, threshold as threshold_words,
+    unresolved,
+};
 use littlewood_report::sheet::Sheet;
 use littlewood_report::{Subject, jam_of};
 
@@ -113,6 +117,24 @@ pub(crate) fn classification(problem: &Problem, found: &Classification) -> Sheet
     );
     sheet.gap();
     sheet.note("N > 0 upwards, F > 0 along E1; equations of Bronars and O'Reilly, 2019");
+    sheet
+}
+
+/// Where the outcome of a motion changes, or that it does not.
+pub(crate) fn threshold(
+    problem: &Problem,
+    quantity: Quantity,
+    found: Result<Threshold, Searched>,
+) -> Sheet {
+    let mut sheet = Sheet::default();
+    title(&mut sheet, problem);
+    page::setup(&mut sheet, &problem.hoop, &problem.subject());
+    sheet.gap();
+    let lines = match found {
+        Ok(threshold) => threshold_words(quantity, &threshold),
+        Err(searched) => vec![no_threshold(quantity, &searched)],
+    };
+    sheet.fact("Outcome", lines);
     sheet
 }
 

@@ -1,6 +1,7 @@
 //! An event of a motion in one sentence.
 
 mod impact;
+mod threshold;
 
 use core::f64::consts::TAU;
 
@@ -12,6 +13,8 @@ use littlewood::{Cause, Hoop, Mode, Outcome, Phase, Sample, Trajectory, Transiti
 use crate::number::{brief, three};
 use crate::scale::Scale;
 use impact::Struck;
+
+pub use threshold::{no_threshold, threshold};
 
 /// Why the motion of a massless hoop ends at the plane.
 const NO_IMPACT: &str = "the model ends here. A rim without mass cannot be struck";

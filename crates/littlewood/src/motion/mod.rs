@@ -8,4 +8,5 @@ pub(crate) mod digits;
 pub(crate) mod energy;
 pub(crate) mod simulate;
 pub(crate) mod summary;
+pub(crate) mod threshold;
 pub(crate) mod trajectory;
