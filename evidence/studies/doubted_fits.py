@@ -9,8 +9,23 @@ from scipy.stats import binomtest
 
 from .film.command import KINDS
 from .film.faults import FAULTS, WRONG
-from .page import table
+from .page import share, table
 from .study import PAGES, Study
+
+CAUSES = {
+    "scale": ("camera_scale",),
+    "tilt": ("camera_perspective_x",),
+    "roll": ("camera_turn", "slope"),
+    "marker": ("camera_marker",),
+    "ramp": ("slope", "camera_turn"),
+    "soft": ("rolling_resistance",),
+    "mass": ("mass_ratio",),
+    "offset": ("offset",),
+    "clock": ("clock", "fall"),
+    "fast": ("clock", "fall"),
+    "held": ("mu_s",),
+}
+"""What the doubts `held` and `camera` call a fault; `fall` is the check of the clock by flights."""
 
 WEAK = ("interval", "sequences")
 """Doubts that good tracks raise, too: they speak of one interval or one slip, not of the film."""
@@ -51,17 +66,46 @@ def silent(rows: list[dict[str, str]]) -> int:
 def of_faults() -> list[str]:
     """Return a line for each fault, with the three kinds of motion."""
     lines = []
-    for name, fault in FAULTS.items():
-        cells = [" ".join((fault.__doc__ or name).split()).rstrip(".")]
+    for name in FAULTS:
+        cells = [_words_of(name)]
         for kind in KINDS:
-            rows = [row for row in rows_of(name) if row["kind"] == kind]
-            doubted = sum(bool(doubts_of(row)) for row in rows)
-            cells += [str(len(rows)), str(sum(map(is_wrong, rows))), str(doubted)]
-            cells += [str(silent(rows)), str(unsaid(rows))]
+            rows = _rows_of_kind(name, kind)
+            cells += [f"{sum(map(is_wrong, rows))} of {len(rows)}", share(silent(rows), len(rows))]
         lines.append(cells)
-    said = ["fits", "wrong", "doubted", "wrong, not doubted", "wrong, no doubt at all"]
-    heads = [f"{kind}: {what}" if what == "fits" else what for kind in KINDS for what in said]
+    said = ("wrong", "and not doubted")
+    heads = [f"{kind}: {what}" if what == "wrong" else what for kind in KINDS for what in said]
     return table(["fault", *heads], lines)
+
+
+def of_kinds() -> list[str]:
+    """Return a line for each kind of motion: all faults together."""
+    lines = []
+    for kind in KINDS:
+        rows = [row for row in faulty() if row["kind"] == kind]
+        cells = [share(one(rows), len(rows)) for one in (silent, unsaid)]
+        lines.append([kind, str(len(rows)), str(sum(map(is_wrong, rows))), *cells])
+    return table(["kind", "fits", "wrong", "wrong, not doubted", "wrong, no doubt at all"], lines)
+
+
+def of_causes() -> list[str]:
+    """Return a line for each fault that has a name: how often doubts name it."""
+    lines = []
+    for name, causes in CAUSES.items():
+        cells = [_words_of(name), ", ".join(causes)]
+        for kind in KINDS:
+            rows = _rows_of_kind(name, kind)
+            named = sum(any(one in row["named"].split() for one in causes) for row in rows)
+            cells.append(share(named, len(rows)))
+        lines.append(cells)
+    return table(["fault", "named as", *KINDS], lines)
+
+
+def _words_of(fault: str) -> str:
+    return " ".join((FAULTS[fault].__doc__ or fault).split()).rstrip(".")
+
+
+def _rows_of_kind(fault: str, kind: str) -> list[dict[str, str]]:
+    return [row for row in rows_of(fault) if row["kind"] == kind]
 
 
 def faulty() -> list[dict[str, str]]:
@@ -79,15 +123,15 @@ def mute() -> str:
     return f"{unsaid(faulty())}, so at most {at_most(faulty()):.1%}"
 
 
-def alarms() -> str:
-    """How many good tracks of each kind are doubted, and what their doubt is."""
-    words = []
+def alarms() -> list[str]:
+    """Return a line for each kind of motion: which doubts good tracks have."""
+    lines = []
     for kind in KINDS:
-        rows = [row for row in rows_of("none") if row["kind"] == kind]
+        rows = _rows_of_kind("none", kind)
         unseen = sum("unseen" in doubts_of(row) for row in rows)
         more = sum(bool(set(doubts_of(row)) - {"unseen"}) for row in rows)
-        words.append(f"{kind} {unseen} and {more} of {len(rows)}")
-    return ", ".join(words)
+        lines.append([kind, str(len(rows)), *(share(one, len(rows)) for one in (unseen, more))])
+    return table(["kind", "good tracks", "`unseen`", "another doubt of the film"], lines)
 
 
 def at_most(rows: list[dict[str, str]]) -> float:
@@ -100,7 +144,14 @@ def at_most(rows: list[dict[str, str]]) -> float:
 
 STUDY = Study(
     name="doubted-fits",
-    texts={"result": result, "faults": of_faults, "alarms": alarms, "mute": mute},
+    texts={
+        "result": result,
+        "mute": mute,
+        "kinds": of_kinds,
+        "faults": of_faults,
+        "causes": of_causes,
+        "alarms": alarms,
+    },
     pictures={},
 )
 """Fits of films with a fault that the fit does not know of."""

@@ -12,10 +12,10 @@ import numpy as np
 import numpy.typing as npt
 from littlewood.fitting.fall import Fall, fall_of
 
-from .film.command import KINDS, filmed, random_motions
-from .film.resistance import ALL, FITS, resistance_rows
-from .film.throws import FREE, throw
-from .page import table
+from .film.command import ALL, FITS, KINDS, filmed, random_motions
+from .film.resistance import resistance_rows
+from .film.throws import throw
+from .page import share, table
 from .study import PAGES, Study
 
 RATES = (24.0, 30.0, 60.0, 120.0, 240.0)
@@ -148,41 +148,54 @@ def pulls(rows: list[dict[str, str]], name: str) -> npt.NDArray[np.float64]:
         [
             (float(row[f"{name}_value"]) - float(row[f"{name}_true"])) / float(row[f"{name}_error"])
             for row in rows
-            if row[f"{name}_error"] != "inf"
+            if row[f"{name}_error"] not in ("", "inf")
         ]
     )
 
 
 def _parts(values: npt.NDArray[np.float64]) -> list[str]:
-    return [
-        str(values.size),
-        *(f"{100.0 * np.mean(np.abs(values) < limit):.0f} %" for limit in (0.994, 1.96)),
-    ]
+    holds = (int(np.sum(np.abs(values) < limit)) for limit in (0.994, 1.96))
+    return [str(values.size), *(share(one, values.size) for one in holds)]
+
+
+def _fits_of(fit: str) -> list[dict[str, str]]:
+    return [row for row in fits() if row["fit"] == fit]
+
+
+def _all_pulls(fit: str) -> npt.NDArray[np.float64]:
+    return np.concatenate([pulls(_fits_of(fit), name) for name in FITS[fit]])
 
 
 def coverage() -> list[str]:
     """How often intervals contain the truth."""
-    lines = [[name, *_parts(pulls(fits(), name))] for name in FREE]
-    everything = np.concatenate([pulls(fits(), name) for name in FREE])
-    lines.append(["all", *_parts(everything)])
-    return table(["coefficient", "intervals", "68 % contain the truth", "95 %"], lines)
+    lines = []
+    for fit, names in FITS.items():
+        for name in names:
+            lines.append([fit, name, *_parts(pulls(_fits_of(fit), name))])
+        lines.append([fit, "all", *_parts(_all_pulls(fit))])
+    heads = ["rolling resistance", "coefficient", "intervals", "68 % contain the truth", "95 %"]
+    return table(heads, lines)
 
 
 def within(limit: float) -> str:
-    """How many of all intervals of a size contain the truth."""
-    values = np.concatenate([pulls(fits(), name) for name in FREE])
-    return f"{100.0 * np.mean(np.abs(values) < limit):.0f} %"
+    """How many of all intervals of a size contain the truth, by fit."""
+    parts = (100.0 * np.mean(np.abs(_all_pulls(fit)) < limit) for fit in FITS)
+    return " and ".join(f"{part:.0f} %" for part in parts)
 
 
 def sequences() -> list[str]:
     """How often the true sequence is found, or named with its odds."""
     lines = []
-    for kind in KINDS:
-        rows = [row for row in fits() if row["kind"] == kind]
-        found = sum(row["phases"] == row["found"] for row in rows)
-        named = sum(float(row["probability"]) > NAMED for row in rows)
-        lines.append([kind, str(len(rows)), str(found), str(named)])
-    return table(["kind", "tracks", "found", "found or named"], lines)
+    for fit in FITS:
+        for kind in (*KINDS, "all"):
+            rows = [row for row in _fits_of(fit) if kind in (row["kind"], "all")]
+            found = sum(row["phases"] == row["found"] for row in rows)
+            named = sum(
+                row["phases"] == row["found"] or float(row["probability"]) > NAMED for row in rows
+            )
+            lines.append([fit, kind, str(len(rows)), str(found), share(named, len(rows))])
+    heads = ["rolling resistance", "kind", "tracks", "found", "found or named"]
+    return table(heads, lines)
 
 
 WRONG = 3.0

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from scipy.stats import binomtest
+
 
 def table(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
     """Return the lines of a table."""
@@ -32,3 +34,12 @@ def put(text: str, label: str, content: list[str] | str) -> str:
     after = rest.split(end)[1]
     body = content if isinstance(content, str) else "\n" + "\n".join(content) + "\n"
     return f"{before}{begin}{body}{end}{after}"
+
+
+def share(count: int, total: int) -> str:
+    """Return a share with its 95 % interval, Clopper and Pearson's."""
+    if total == 0:
+        return "–"
+    interval = binomtest(count, total).proportion_ci(0.95)
+    low, high = 100.0 * interval.low, 100.0 * interval.high
+    return f"{100.0 * count / total:.0f} % ({low:.0f} to {high:.0f})"

@@ -16,8 +16,9 @@ from littlewood.plot.sheet import listed, panels
 from littlewood.style import FINE, INK, LINE
 from littlewood.tables import QUANTITIES
 
+from .film.command import ALL
 from .film.hard import HARD
-from .film.resistance import ALL, resistance_rows
+from .film.resistance import resistance_rows
 from .film.throws import FREE
 from .film.videos import film_of, fitted, track_of
 from .page import table
@@ -97,16 +98,6 @@ def beyond(name: str, limit: float) -> str:
     return f"{sum(abs(value) > limit for value in values)} of {len(values)}"
 
 
-def lost() -> str:
-    """In how many searches a coefficient that is told is wrong by more than six standard errors."""
-    rows = rows_of("search")
-    off = [
-        max((abs(value) for name in FREE for value in pulls([row], name)), default=0.0)
-        for row in rows
-    ]
-    return f"{sum(value > 6.0 for value in off)} of {len(rows)}"
-
-
 FILM = 4
 """Number of the film that is made and fitted."""
 
@@ -127,46 +118,37 @@ def of_fits() -> str:
 
 def calibration() -> Figure:
     """How often intervals contain the truth, against how often they say."""
-    figure, (left, right) = panels(2)
+    figure, (axis,) = panels(1)
     levels = np.linspace(0.02, 0.99, 98)
+    rows = rows_of("videos")
     for quantity, look in listed(list(NAMES)):
-        for axis, name in ((left, "coverage"), (right, "videos")):
-            values = pulls(rows_of(name), quantity)
-            parts = [100.0 * part_within(values, float(level)) for level in levels]
-            axis.plot(
-                100.0 * levels,
-                parts,
-                **look,
-                label=words(axis, QUANTITIES[quantity].sign),
-            )
-    for axis, name, title in (
-        (left, "coverage", "independent noise"),
-        (right, "videos", "through the video"),
-    ):
-        spread = 200.0 * np.sqrt(levels * (1.0 - levels) / len(rows_of(name)))
-        axis.fill_between(
-            100.0 * levels,
-            100.0 * levels - spread,
-            100.0 * levels + spread,
-            color=LINE,
-            alpha=0.6,
-            lw=0,
-            label="±2*σ*",
-        )
-        axis.plot([0, 100], [0, 100], color=INK, lw=FINE, label="as they say")
-        axis.set(
-            xlim=(0, 100),
-            ylim=(0, 100),
-            xlabel="level of the interval, %",
-            ylabel="contain the truth, %",
-        )
-        key(axis, title, columns=3)
+        values = pulls(rows, quantity)
+        parts = [100.0 * part_within(values, float(level)) for level in levels]
+        axis.plot(100.0 * levels, parts, **look, label=words(axis, QUANTITIES[quantity].sign))
+    spread = 200.0 * np.sqrt(levels * (1.0 - levels) / len(rows))
+    axis.fill_between(
+        100.0 * levels,
+        100.0 * levels - spread,
+        100.0 * levels + spread,
+        color=LINE,
+        alpha=0.6,
+        lw=0,
+        label="±2*σ*",
+    )
+    axis.plot([0, 100], [0, 100], color=INK, lw=FINE, label="as they say")
+    axis.set(
+        xlim=(0, 100),
+        ylim=(0, 100),
+        xlabel="level of the interval, %",
+        ylabel="contain the truth, %",
+    )
+    key(axis, "through the video", columns=3)
     return figure
 
 
-def sequences(name: str) -> str:
+def sequences() -> str:
     """In how many films the fit ends with the true sequence of phases."""
-    rows = rows_of(name)
+    rows = rows_of("videos")
     return f"{sum(int(row['sequence_found']) for row in rows)} of {len(rows)}"
 
 
@@ -272,8 +254,6 @@ STUDY = Study(
         "result": result,
         "harder": harder,
         "fits": of_fits,
-        "search": lambda: sequences("search"),
-        "lost": lost,
         "videos": coverage,
         "short": lambda: by_exposure(False),
         "long": lambda: by_exposure(True),
@@ -281,7 +261,7 @@ STUDY = Study(
         "tails": lambda: beyond("restitution", 3.0),
         "resisted": resisted,
         "held": held_doubted,
-        "sequences of videos": lambda: sequences("videos"),
+        "sequences of videos": sequences,
     },
     pictures={"calibration": calibration},
 )

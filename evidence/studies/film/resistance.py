@@ -20,17 +20,21 @@ from pathlib import Path
 import littlewood as lw
 import numpy as np
 
-from .command import KINDS, GoodTrack, filmed, is_of, random_motions
-from .throws import FREE
+from .command import (
+    ALL,
+    FITS,
+    KINDS,
+    MOST,
+    GoodTrack,
+    coefficients,
+    filmed,
+    is_of,
+    random_motions,
+)
 from .videos import film_of, track_of
 
 RATES = (30.0, 60.0, 120.0, 240.0)
 NOISES_M = (0.0005, 0.001, 0.002, 0.003)
-MOST = 0.02
-"""Largest coefficient, over the radius: that of a soft floor."""
-RESISTANCE = "rolling_resistance"
-ALL = (*FREE, RESISTANCE)
-FITS = {"estimated": ALL, "held at 0": FREE}
 SEED = 54
 
 HEAD = (
@@ -97,11 +101,7 @@ def lines_of(kind: str, number: int) -> list[list[str]]:
         cells = [kind, str(number), f"{one.rate:g}", f"{one.noise_m:g}", name]
         cells += [one.motion.sequence, result.motion.sequence]
         cells += [" ".join(dict.fromkeys(doubt.name for doubt in result.doubts))]
-        for quantity in ALL:
-            true, estimate = getattr(one.motion.hoop, quantity), result.estimates.get(quantity)
-            found = ["", ""] if estimate is None else [f"{estimate.value:.7g}"]
-            found += [] if estimate is None else [f"{estimate.std_error:.4g}"]
-            cells += [f"{true:.7g}", *found]
+        cells += coefficients(one.motion.hoop, result)
         lines.append(cells)
     return lines
 

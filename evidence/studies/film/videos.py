@@ -19,9 +19,14 @@ import littlewood as lw
 import numpy as np
 from littlewood import video
 
-from .coverage import HEAD, cells_of
 from .throws import FREE, SECONDS, Throw, throw
 
+HEAD = [
+    "film",
+    "rate",
+    "sequence_found",
+    *(f"{name}_{what}" for name in FREE for what in ("true", "value", "error")),
+]
 EXPOSURE = [f"exposure_s_{what}" for what in ("true", "value", "error")]
 NOISE = [f"{channel}_{part}" for part in ("white", "slow") for channel in ("theta", "x", "y")]
 SIZE = (640, 360)
@@ -171,6 +176,19 @@ def line_of(number: int, track: lw.Track) -> list[str]:
         *(f"{noise.white:.4g}" for noise in result.noise.values()),
         *(f"{noise.slow:.4g}" for noise in result.noise.values()),
     ]
+
+
+def cells_of(film: int, rate: float, thrown: Throw, result: lw.FitResult) -> list[str]:
+    """Return the cells of a line: truth, estimate and standard error of every coefficient."""
+    cells = [str(film), f"{rate:g}", str(int(result.motion.sequence == thrown.motion.sequence))]
+    for name in FREE:
+        estimate = result.estimates[name]
+        cells += [
+            f"{getattr(thrown.hoop, name):.7g}",
+            f"{estimate.value:.7g}",
+            f"{estimate.std_error:.4g}",
+        ]
+    return cells
 
 
 def main() -> None:

@@ -43,4 +43,4 @@ def test_wrong_answers_without_a_doubt_are_rare():
     assert silent(faulty()) <= 0.02 * len(faulty())
     # On the floor many faults make another inertia: that was seldom said.
     floor = [row for row in faulty() if row["kind"] != "throw" and is_wrong(row)]
-    assert len(floor) > 50 and unsaid(floor) == silent(floor) == 0
+    assert len(floor) > 40 and unsaid(floor) == silent(floor) == 0

@@ -3,26 +3,12 @@ import math
 import numpy as np
 import pytest
 
-from evidence.studies.film.coverage import line_of
 from evidence.studies.film.hard import HARD
 from evidence.studies.film.hard import line_of as of_hard
 from evidence.studies.film.throws import FREE, throw
 from evidence.studies.film.videos import film_of, track_of
 from evidence.studies.film.videos import line_of as of_video
 from evidence.studies.real_film import hard_rows, part_within, pulls, rows_of
-
-
-def test_intervals_of_independent_noise_contain_the_truth_as_often_as_they_say():
-    rows = rows_of("coverage")
-    assert [int(row["film"]) for row in rows] == list(range(200))
-    for name in FREE:
-        values = pulls(rows, name)
-        assert len(values) >= 180
-        for level in (0.5, 0.6827, 0.9, 0.95, 0.99):
-            # Three standard deviations of a binomial number, and more only where an interval is too
-            # wide: the fit finds slow errors where there are none.
-            chance = 3.0 * math.sqrt(level * (1.0 - level) / len(values))
-            assert level - chance < part_within(values, level) < level + 1.3 * chance
 
 
 def test_intervals_of_whole_videos_contain_the_truth_as_often_as_they_say():
@@ -46,6 +32,7 @@ def test_a_film_of_the_table_comes_out_again():
         assert cells[f"{name}_value"] == pytest.approx(
             row[f"{name}_value"], abs=0.1 * row[f"{name}_error"]
         )
+        assert cells[f"{name}_error"] == pytest.approx(row[f"{name}_error"], rel=0.1)
 
 
 def test_who_clicks_has_another_plane():
@@ -53,27 +40,6 @@ def test_who_clicks_has_another_plane():
     pixels = film.clicked.to_pixels(*film.plane.to_metres([200.0, 450.0], [120.0, 250.0]))
     off = np.hypot(pixels[0] - [200.0, 450.0], pixels[1] - [120.0, 250.0])
     assert np.all((off > 0.01) & (off < 2.0))
-
-
-def test_a_fit_of_the_table_comes_out_again():
-    row = rows_of("coverage")[111]
-    cells = dict(zip(row, map(float, line_of(111)), strict=True))
-    for name in FREE:
-        assert cells[f"{name}_true"] == row[f"{name}_true"]
-        assert cells[f"{name}_value"] == pytest.approx(
-            row[f"{name}_value"], abs=0.01 * row[f"{name}_error"]
-        )
-
-
-def test_a_search_of_the_table_comes_out_again():
-    rows = rows_of("search")
-    assert [int(row["film"]) for row in rows] == list(range(100))
-    cells = dict(zip(rows[32], map(float, line_of(32, search=True)), strict=True))
-    assert cells["sequence_found"] == rows[32]["sequence_found"]
-    for name in FREE:
-        assert cells[f"{name}_value"] == pytest.approx(
-            rows[32][f"{name}_value"], abs=0.01 * rows[32][f"{name}_error"]
-        )
 
 
 @pytest.mark.parametrize("number", [31, 44])
