@@ -8,6 +8,9 @@ settings: default careful continuous
 requires: contourpy==1.3.3 cycler==0.12.1 drake==1.51.1 fonttools==4.68.0 kiwisolver==1.5.1
   matplotlib==3.11.2 Mosek==11.1.2 numpy==2.4.6 packaging==26.3 pillow==13.0.0 pydot==4.0.1
   pyparsing==3.3.3 python-dateutil==4.0.0 PyYAML==6.0.3 tzdata==2026.6
+limits: bounce=none friction=harmonic rolling=none rolling_small=none rolling_slow=none
+limits default: force=0.34,+0
+limits careful: force=0.98,+0
 docs: https://drake.mit.edu/doxygen_cxx/
 
 default: the discrete plant as it comes (its step is that of the case).
