@@ -16,7 +16,7 @@ use crate::words::{angle, short};
 /// Most ticks of an axis, and the least room between their labels in pixels.
 const MOST: usize = 9;
 const BESIDE: f64 = 12.0;
-const ABOVE: f64 = 12.0;
+const ABOVE: f64 = 9.0;
 /// Widest label of an axis upwards, and how far one goes beyond the end of an axis to the right.
 const UPRIGHT: f64 = 37.0;
 const AFTER: f64 = 20.0;

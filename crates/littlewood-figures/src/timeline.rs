@@ -191,14 +191,17 @@ impl Shown {
         let without: Vec<String> = without
             .map(|(count, what)| format!("{count} {what}{}", if count == 1 { "" } else { "s" }))
             .collect();
+        let names = if phases + transitions == 1 {
+            "name"
+        } else {
+            "names"
+        };
         Names {
             labels,
             height: ROW * rows.saturating_sub(1) as f64,
             note: (!without.is_empty()).then(|| {
-                format!(
-                    "There is no room for the names of {}.",
-                    without.join(" and ")
-                )
+                let without = without.join(" and ");
+                format!("There is no room for the {names} of {without}.")
             }),
         }
     }
@@ -290,6 +293,20 @@ impl Across<'_> {
     fn name(&self, text: &str, at: f64) -> Label {
         Label::new(text, &[at, self.top]).sized(SMALL).fixed()
     }
+}
+
+/// What changes by less than this part of it has an axis without zero, on which that is seen.
+const NEARLY_CONSTANT: f64 = 0.05;
+
+/// Zero, for the axis of values that have it in any case: none beside which no change would be seen.
+pub(crate) fn zero_of(values: impl Iterator<Item = f64>) -> Option<f64> {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for value in values.filter(|value| value.is_finite()) {
+        low = low.min(value);
+        high = high.max(value);
+    }
+    let size = f64::max(low.abs(), high.abs());
+    (high - low >= NEARLY_CONSTANT * size || low > high).then_some(0.0)
 }
 
 pub(crate) fn range_of<'a>(series: impl IntoIterator<Item = &'a Series>, also: &[f64]) -> Range {

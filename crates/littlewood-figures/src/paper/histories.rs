@@ -16,7 +16,7 @@ use crate::impacts;
 use crate::input::FigureInput;
 use crate::motion::{NOISE, Shown};
 use crate::spikes::Spikes;
-use crate::timeline::{Timeline, range_of};
+use crate::timeline::{Timeline, range_of, zero_of};
 
 /// Energy that an impact takes.
 const DROP: Stroke = Stroke::solid(IMPULSE, BOLD);
@@ -75,11 +75,12 @@ fn normal_panel(motion: &Shown) -> Content {
     let normal = motion.history(name, NORMAL, |_, sample| Some(sample.normal));
     let weight = normal_weight(motion.hoop());
     let sign = marked(SampleColumn::Normal.sign());
-    let y = motion
-        .say
-        .axis(NORMAL, &sign, range_of([&normal], &[0.0, weight]));
+    let zero = zero_of(normal.rows().map(|row| row[1]).chain([weight]));
+    let range = range_of([&normal], &[zero.unwrap_or(weight), weight]);
+    let y = motion.say.axis(NORMAL, &sign, range);
     let (level, label) = weight_level(motion, &[&normal], &y, 1.0);
-    let mut layers = motion.ground(&y, NORMAL);
+    let mut layers = vec![motion.verticals(&y, NORMAL)];
+    layers.extend(zero.map(|_| motion.zero(NORMAL)));
     layers.extend([level, normal.drawn(Stroke::solid(NORMAL_FORCE, 2.0))]);
     motion.panel(name, y, layers, vec![label])
 }
@@ -307,7 +308,7 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
         caption,
         keys,
         contents: vec![energies, lost_panel(&motion, &parts)],
-        height: &|i| sheet.height([340.0, 150.0][i]),
+        height: &|i| sheet.height([340.0, 178.0][i]),
     };
     Ok(motion.figure(&sheet, timeline))
 }

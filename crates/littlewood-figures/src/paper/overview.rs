@@ -14,7 +14,7 @@ use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::{Modes, Shown, finite_rows};
 use crate::spikes::{SPIKE, Spikes};
-use crate::timeline::{CLOSE, Timeline};
+use crate::timeline::{CLOSE, Timeline, zero_of};
 use crate::wording::Wording;
 
 const NAME: &str = "sheet";
@@ -61,7 +61,6 @@ impl History {
         let value = |sample: &Sample| column.of(sample).number();
         let mut by_mode: Vec<(Mode, Vec<Piece>)> = Vec::new();
         let mut values: Vec<f64> = others.to_vec();
-        values.extend(Some(0.0).filter(|_| has_zero(column)));
         for (mode, samples) in samples {
             let is_bounded = samples.iter().all(|sample| value(sample).is_finite());
             let shown = if is_bounded {
@@ -80,6 +79,8 @@ impl History {
                 None => by_mode.push((*mode, vec![rows])),
             }
         }
+        let zero = zero_of(values.iter().copied()).filter(|_| has_zero(column));
+        values.extend(zero);
         let series = |(mode, pieces): (Mode, Vec<Piece>)| {
             (mode, Series::new(mode.name(), &[TIME, name], pieces))
         };
