@@ -165,8 +165,8 @@ stage_properties() {
 about coverage 'of the core by its own tests: target/coverage/html, and at least 97 % of its lines. Needs cargo-llvm-cov and llvm-tools'
 stage_coverage() {
   same_cases
-  # It builds no examples, which a test runs: that one is left to the stage `rust`.
-  cargo llvm-cov --package littlewood --features serde --locked --no-report -- --skip examples::
+  # It builds no examples, which a test runs, and what counts is slower than what a test bounds: both are left to the stage `rust`.
+  cargo llvm-cov --package littlewood --features serde --locked --no-report -- --skip examples:: --skip bounded::
   cargo llvm-cov report --package littlewood --html --output-dir "$target/coverage"
   cargo llvm-cov report --package littlewood --summary-only --fail-under-lines 97
 }

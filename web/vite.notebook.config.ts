@@ -37,7 +37,7 @@ function oneFile(): Plugin {
           (_, head: string) => head + POLICY,
         )
         // There is no other page beside a notebook.
-        .replace(/<a href="\.\/story\.html">.*?<\/a>\. /, '')
+        .replace(/<a href="\.\/story\.html"[^>]*><\/a>\. /, '')
         .replace('</head>', () => `<style>${style}</style></head>`)
         .replace('</body>', () => `<script type="module">${safe}</script></body>`);
       const widget = readFileSync(place('./notebook/widget.js'), 'utf8');

@@ -16,7 +16,8 @@ from littlewood.scoring.cases import CATEGORIES
 from littlewood.style import BOLD, FINE, INK, LINE, LIST_DASHES
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from run import HERE, RESULTS, Engine, engines, read, read_rows
+from probe import NAMES as LIMITS
+from run import HERE, RESULTS, TABLE_STEP, Engine, engines, read, read_rows
 
 sys.path.insert(0, str(HERE.parents[1]))
 
@@ -26,7 +27,6 @@ PAGE = HERE.parents[1] / "docs" / "engines.md"
 PICTURE = PAGE.parent / "engines" / "work.svg"
 
 FIRST = next(iter(BENCHMARK))
-TABLE_STEP = 1e-3
 DASHES = (LIST_DASHES[1], LIST_DASHES[0], LIST_DASHES[2])
 """Of the settings of an engine, in their order."""
 
@@ -58,6 +58,11 @@ def number(value: float | None) -> str:
 def cell(runs: list[Run], case: str, setting: str) -> str:
     """The error at the step of the tables, and how many events are wrong; or why there is none."""
     mine = [run for run in runs if (run["case"], run["setting"]) == (case, setting)]
+    cut = next(
+        (run for run in mine if run["step"] == TABLE_STEP and run["status"] != "scored"), None
+    )
+    if cut is not None and cut["reason"].startswith("limit: "):
+        return cut["reason"].split(",")[0]
     at = next(
         (run for run in mine if run["status"] == "scored" and run["step"] == TABLE_STEP), None
     )
@@ -141,9 +146,8 @@ def summary(every: dict[str, Engine], runs: Runs) -> list[str]:
     """The table of the first case: events, state, energy, order, cost at equal error."""
     rows = [
         "| engine | contact | setting | stick | lift-off | landing | x, y, θ | energy | wrong | "
-        "order "
-        f"| s to {GOAL:g} |",
-        "|---|---|---|---|---|---|---|---|---|---|---|",
+        f"rates | order | s to {GOAL:g} |",
+        "|---|---|---|---|---|---|---|---|---|---|---|---|",
     ]
     for engine, setting in rows_of(every, runs):
         mine = scored(runs[engine.name], FIRST, setting)
@@ -152,7 +156,7 @@ def summary(every: dict[str, Engine], runs: Runs) -> list[str]:
         if at is None:
             why = cell(runs[engine.name], FIRST, setting)
             if why != "–":
-                rows.append(f"| {' | '.join([*head, *['–'] * 3, why, *['–'] * 4])} |")
+                rows.append(f"| {' | '.join([*head, *['–'] * 3, why, *['–'] * 5])} |")
             continue
         law = None if engine.is_adaptive else order(mine)
         cells = [number(event(at, kind)) for kind in ("stick", "lift_off", "landing")]
@@ -160,6 +164,7 @@ def summary(every: dict[str, Engine], runs: Runs) -> list[str]:
             number(at["error"]),
             number(abs(at["energy_error_at_end"])),
             str(at["missed"] + at["spurious"]),
+            number(at["beyond_rates"]),
         ]
         cells += ["–" if law is None else f"{round(law, 1) + 0.0:.1f}", number(cost(mine))]
         rows.append(f"| {' | '.join([*head, *cells])} |")
@@ -189,24 +194,17 @@ def gradients(every: dict[str, Engine]) -> list[str]:
 
 def settings(every: dict[str, Engine], runs: Runs) -> list[str]:
     """Versions, where settings are documented, and what the authors say."""
-    rows = ["| engine | version | settings | author's reply |", "|---|---|---|---|"]
+    rows = ["| engine | version | rows of | settings | author's reply |", "|---|---|---|---|---|"]
     for name in runs:
         engine = every[name]
-        words = (
-            name.replace("mjwarp", "mujoco-warp")
-            .replace("physx", "sapien")
-            .replace("hoppinghoop", "hopping-hoop")
+        version, dates = (
+            ", ".join(sorted({run[key] for run in runs[name]})) for key in ("version", "date")
         )
-        package = next(
-            (one for one in engine.requires if words.replace("mjx", "mujoco-mjx") in one.lower()),
-            "–",
-        )
-        version = package.rpartition("==")[2] or package.rpartition("@")[2][:10]
         adapter = f"[adapter](../evidence/engines/adapters/{engine.adapter.name})"
         docs = engine.said["docs"]
         link = f"[documentation]({docs})" if docs.startswith("http") else f"[scheme](../{docs})"
         rows.append(
-            f"| {engine.title} | {version or 'Cargo.lock'} | {adapter}, {link} | "
+            f"| {engine.title} | {version or '–'} | {dates} | {adapter}, {link} | "
             f"{engine.said.get('reply', '–')} |"
         )
     machine = read_rows(RESULTS / "machines.csv")[0]
@@ -215,6 +213,25 @@ def settings(every: dict[str, Engine], runs: Runs) -> list[str]:
         f"{machine['python']}."
     )
     return [*rows, "", said]
+
+
+def limits(every: dict[str, Engine]) -> list[str]:
+    """What was measured of each engine besides the cases."""
+    rows = [
+        f"| engine | setting | {' | '.join(name.replace('_', ' ') for name in LIMITS)} |",
+        "|---" * (len(LIMITS) + 2) + "|",
+    ]
+    for row in read_rows(RESULTS / "limits.csv"):
+        cells = [row[name] or "–" for name in LIMITS]
+        rows.append(f"| {' | '.join([every[row['engine']].title, row['setting'], *cells])} |")
+    return rows
+
+
+def rolling(every: dict[str, Engine]) -> list[str]:
+    """Engines with rolling friction, and its law."""
+    return [
+        f"- {one.title}: {one.said['rolling']}" for one in every.values() if "rolling" in one.said
+    ]
 
 
 def picture(every: dict[str, Engine], runs: Runs) -> Figure:
@@ -277,6 +294,8 @@ def main() -> None:
         "summary": summary(every, runs),
         "gradients": gradients(every),
         "settings": settings(every, runs),
+        "measured limits": limits(every),
+        "rolling laws": rolling(every),
     }
     for name in CATEGORIES:
         tables[f"{name} cases"] = listed(name)

@@ -5,12 +5,16 @@ Each runs in its own virtual environment.
 python evidence/engines/run.py [NAME ...] [--changed COMMIT] [--step STEP ...] [--case CASE ...]
 [--setting SETTING ...]
                                [--out FOLDER]
+python evidence/engines/run.py --compare [--minutes MINUTES] [NAME ...]
 
 An engine is one file, adapters/NAME_adapter.py (.cjs, .rs), whose first comment says what it is and
 needs; template.py is one. The Python that runs this has the package of this repository;
 environments and logs are made under target/engines, or where LITTLEWOOD_ENGINES says.
 results/NAME.csv has a row for each run, results/machines.csv what each engine ran on. What is run
 replaces the runs of the same case and setting; all others stay.
+
+--compare writes nothing: it runs the engines that are soon installed at the step of the tables, and
+names each row of the results that has moved, and what there was no time for.
 """
 
 from __future__ import annotations
@@ -18,19 +22,23 @@ from __future__ import annotations
 import argparse
 import csv
 import json
+import math
 import os
 import platform
 import re
 import subprocess
 import sys
 import tempfile
+import time
 import venv
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from datetime import UTC, datetime
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from littlewood.scoring import BENCHMARK, Record, score, score_gradient
 from littlewood.scoring.gradient import read_gradient
 
@@ -55,7 +63,18 @@ LEAST_STEP = 1e-4
 DEBIAN = "/usr/bin/python3"
 """The Python of packages of Debian; LITTLEWOOD_SYSTEM_PYTHON names another."""
 
-KEYS = ("engine", "contact", "settings", "steps", "requires", "gradients", "docs", "reply")
+KEYS = (
+    "engine",
+    "contact",
+    "settings",
+    "steps",
+    "requires",
+    "gradients",
+    "docs",
+    "rolling",
+    r"limits(?: \w+)?",
+    "reply",
+)
 CONTACTS = ("events", "rigid", "compliant")
 
 
@@ -95,6 +114,47 @@ class Engine:
     def gradients(self) -> list[str]:
         """Quantities with respect to which it has derivatives."""
         return self.said.get("gradients", "").split()
+
+    @property
+    def version(self) -> str:
+        """That of the engine itself."""
+        words = {
+            "mjwarp": "mujoco-warp",
+            "mjx": "mujoco-mjx",
+            "physx": "sapien",
+            "hoppinghoop": "hopping-hoop",
+            "rapier": "rapier2d",
+        }
+        name, packages = words.get(self.name, self.name), self.requires
+        if packages and packages[0].startswith("cargo:"):
+            lock = (HERE / "requirements" / self.name / "Cargo.lock").read_text(encoding="utf-8")
+            packages = re.findall(r'name = "([\w-]+)"\nversion = "([\w.]+)"', lock)
+            packages = ["==".join(one) for one in packages]
+        package = next((one for one in packages if name in one.lower()), "")
+        return package.rpartition("@")[2][:10] if "@" in package else package.rpartition("==")[2]
+
+    def limits(self, setting: str) -> dict[str, str]:
+        """What the engine cuts, damps or leaves out, as its adapter says it, with R = g = 1."""
+        said = f"{self.said.get('limits', '')} {self.said.get(f'limits {setting}', '')}"
+        return dict(one.split("=") for one in said.split())
+
+    def refusal(self, case: str, setting: str, step: float) -> str | None:
+        """Why a case is beyond a limit of the engine, with the numbers."""
+        limits = self.limits(setting)
+        if not {"turn", "speed"} & set(limits):
+            return None
+        fastest = speeds(case)
+        # Where R is the same in the engine whatever the case, the limit is one in R.
+        metre = 1.0 if "radius" in limits else fastest.metre
+        reached = {"turn": fastest.turn, "speed": fastest.speed * metre}
+        for name, unit in {"turn": "rad/s", "speed": "m/s"}.items():
+            number, *per_step = limits.get(name, "inf").split("/")
+            # An angle, or a way, that a body makes in a step at most.
+            most = float(number) / (step * fastest.second if per_step else 1.0)
+            size = reached[name] / fastest.second
+            if size > most:
+                return f"limit: {most:.3g} {unit}, the case reaches {size:.4g}"
+        return None
 
     @property
     def is_adaptive(self) -> bool:
@@ -201,7 +261,8 @@ def make(folder: Path, needs: list[str]) -> None:
 
 def case_file(given: Any) -> dict[str, float]:
     """What an adapter reads of a case."""
-    hoop, start = given.motion.hoop, given.given["start"]
+    hoop, start, units = given.motion.hoop, given.motion.start, given.motion.hoop.units
+    second = 1.0 if units is None else units.time_s
     return {
         "mass": hoop.mass,
         "h": hoop.h,
@@ -209,10 +270,45 @@ def case_file(given: Any) -> dict[str, float]:
         "slope": hoop.slope,
         "mu_s": hoop.mu_s,
         "mu_k": hoop.mu_k,
+        "rolling_resistance": hoop.rolling_resistance,
         "restitution": hoop.restitution or 0.0,
-        **{name: start[name] for name in ("theta", "theta_rate", "slip", "gap_rate")},
-        "until": given.given["until"],
+        **{name: getattr(start, name) for name in ("theta", "theta_rate", "slip", "gap_rate")},
+        "until": given.given["until"] / second,
+        "radius": 1.0 if units is None else units.length_m,
+        "g": 1.0 if units is None else units.gravity_m_per_s2,
+        "unit_of_mass": 1.0 if units is None else units.mass_kg,
     }
+
+
+@dataclass(frozen=True)
+class Fastest:
+    """The largest |θ′| and velocity of the mass centre of a motion, and the units of its case."""
+
+    turn: float
+    speed: float
+    metre: float
+    second: float
+
+
+@cache
+def speeds(case: str) -> Fastest:
+    """Those of the exact motion of a case."""
+    motion = BENCHMARK[case].motion
+    hoop, start, units = motion.hoop, motion.start, motion.hoop.units
+    samples = motion(np.linspace(0.0, case_file(BENCHMARK[case])["until"], 2001)[1:])
+    # Just after the start an impact may have changed it.
+    theta, turning, slip, rising = (
+        np.append(np.array(samples[name]), getattr(start, name))
+        for name in ("theta", "theta_rate", "slip", "gap_rate")
+    )
+    along = slip - turning - hoop.h * np.cos(theta) * turning
+    up = rising - hoop.h * np.sin(theta) * turning
+    return Fastest(
+        turn=float(np.nanmax(np.abs(turning))),
+        speed=float(np.nanmax(np.hypot(along, up))),
+        metre=1.0 if units is None else units.length_m,
+        second=1.0 if units is None else units.time_s,
+    )
 
 
 def steps_of(case: str, engine: Engine) -> list[float]:
@@ -270,6 +366,7 @@ def kept(score: dict[str, Any]) -> dict[str, Any]:
         "energy_error_at_end": energy["error_at_end"],
         "slip_while_rolling": whole["slip_while_rolling"],
         "penetration": whole["penetration"],
+        "beyond_rates": whole["beyond_rates"],
         # Of events that are none, of which there may be hundreds, the number says enough.
         "events": [event for event in score["events"] if event["exact"] is not None],
     }
@@ -284,9 +381,11 @@ def rounded(value: Any) -> Any:
     return [rounded(one) for one in value] if isinstance(value, list) else value
 
 
-def runs(engine: Engine, options: argparse.Namespace) -> Iterator[dict[str, Any]]:
-    """Run an engine with all its cases, settings and steps."""
-    prefix = prepared(engine)
+def runs(
+    engine: Engine, options: argparse.Namespace, end: float = math.inf
+) -> Iterator[dict[str, Any]]:
+    """Run an engine with all its cases, settings and steps, up to a time of the clock."""
+    prefix, today = prepared(engine), datetime.now(UTC).date().isoformat()
     logs = ENVIRONMENTS / "logs" / engine.name
     logs.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
@@ -297,15 +396,25 @@ def runs(engine: Engine, options: argparse.Namespace) -> Iterator[dict[str, Any]
                 if options.setting and setting not in options.setting:
                     continue
                 for step in options.step or steps_of(label, engine):
+                    if time.monotonic() > end:
+                        return
                     log = logs / f"{label}-{setting}-{step:g}.log"
                     run = {"case": label, "setting": setting, "step": step}
-                    run |= run_adapter(prefix, file, step, setting, record, log)
+                    run |= {"version": engine.version, "date": today}
+                    refusal = engine.refusal(label, setting, step)
+                    if refusal is None:
+                        run |= run_adapter(prefix, file, step, setting, record, log)
+                    else:
+                        run |= {"status": "refused", "reason": refusal}
                     if run["status"] == "scored":
                         run |= scored(label, record, log)
                     said = run.get("error", run.get("reason"))
                     print(engine.name, label, setting, step, run["status"], said, flush=True)
                     yield run
-                    if run["status"] in ("refused", "timeout"):
+                    # With a smaller step an engine turns less in each.
+                    if run["status"] == "timeout" or (
+                        run["status"] == "refused" and refusal is None
+                    ):
                         break
 
 
@@ -321,11 +430,12 @@ def scored(label: str, record: Path, log: Path) -> dict[str, Any]:
     with log.open("a", encoding="utf-8") as file:
         print(one, *(f"warning: {doubt}" for doubt in one.doubts), sep="\n", file=file)
     # A question names what would explain the first rows; a solver that is far off soon is another
-    # matter.
+    # matter, and the case is the one that was asked for.
     mistakes = [
         doubt
         for doubt in one.doubts
-        if doubt.startswith("the first row is not") or doubt.endswith("?")
+        if doubt.startswith("the first row is not")
+        or (doubt.endswith("?") and "is it the case" not in doubt)
     ]
     return {"status": "failed", "reason": mistakes[0]} if mistakes else kept(one.as_dict())
 
@@ -418,11 +528,12 @@ NUMBERS = (
     "error_x",
     "error_y",
     "error_theta",
+    "beyond_rates",
     "cpu_s",
     "steps",
 )
 COUNTS = ("steps", "missed", "spurious")
-COLUMNS = ("case", "setting", "status", *NUMBERS, "events", "reason")
+COLUMNS = ("case", "setting", "status", *NUMBERS, "version", "date", "events", "reason")
 """Columns of results/NAME.csv. An event is its kind, its exact time, where the rule reads it in the
 exact motion, and
 in the record; a dash where it does not."""
@@ -456,7 +567,8 @@ def read(folder: Path) -> dict[str, list[dict[str, Any]]]:
             for row in csv.DictReader(file):
                 run: dict[str, Any] = dict(row)
                 for key in NUMBERS:
-                    run[key] = (int if key in COUNTS else float)(row[key]) if row[key] else None
+                    text = row.get(key)
+                    run[key] = (int if key in COUNTS else float)(text) if text else None
                 run["events"] = [event_of(text) for text in row["events"].split("; ") if text]
                 found.setdefault(name, []).append(run)
     return found
@@ -511,6 +623,52 @@ def merged(
     )
 
 
+QUICK = ("moreau", "mujoco", "bullet", "box2d", "pymunk", "planck", "jolt")
+"""Engines that are installed within a minute, in this order."""
+
+TABLE_STEP = 1e-3
+"""The step of the tables."""
+
+MOVED = 0.01
+"""Of its size: by so much an error may differ on another machine."""
+
+
+def moves(old: list[dict[str, Any]], new: dict[str, Any]) -> list[str]:
+    """What of a run differs from the row of the results."""
+    key = ("case", "setting", "step")
+    row = next((one for one in old if all(one[name] == new[name] for name in key)), None)
+    if row is None:
+        return ["there is no such row"]
+    if row["status"] != new["status"]:
+        return [f"{row['status']} became {new['status']} {new.get('reason', '')}".strip()]
+    found = []
+    for name in ("missed", "spurious", "error", "beyond_rates", "energy_gained", "penetration"):
+        was, now = row[name] or 0.0, new.get(name) or 0.0
+        slack = 0.0 if name in COUNTS else MOVED * max(abs(was), abs(now), 1e-6)
+        if abs(now - was) > slack:
+            found.append(f"{name} {was:.4g} became {now:.4g}")
+    return found
+
+
+def compare(names: Sequence[str], options: argparse.Namespace) -> int:
+    """Run engines, and name the rows that have moved; 1 if one has."""
+    end = time.monotonic() + 60.0 * options.minutes
+    every, known = engines(), read(RESULTS)
+    moved = same = 0
+    for name in names:
+        for run in runs(every[name], options, end):
+            said = moves(known.get(name, []), run)
+            same, moved = (same, moved + 1) if said else (same + 1, moved)
+            if said:
+                print(f"moved: {name} {run['case']} {run['setting']}: {'; '.join(said)}")
+        if time.monotonic() > end:
+            left = ", ".join(names[list(names).index(name) :])
+            print(f"no time was left for all of {left}: --minutes is {options.minutes:g}")
+            break
+    print(f"{same} rows as before, {moved} moved")
+    return 1 if moved else 0
+
+
 def machine() -> dict[str, str]:
     """The machine in general words."""
     info = Path("/proc/cpuinfo")
@@ -552,6 +710,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--step", action="append", type=float)
     parser.add_argument("--gradients", action="store_true", help="derivatives instead of motions")
     parser.add_argument("--out", type=Path, default=RESULTS)
+    parser.add_argument("--compare", action="store_true", help="name the rows that have moved")
+    parser.add_argument("--minutes", type=float, default=10.0, help="for --compare, 10 by default")
     options = parser.parse_args(arguments)
     for name in options.names:
         if name not in every:
@@ -559,6 +719,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 f"no engine {name}: there are {', '.join(every)}; adapters/{name}_adapter.py would "
                 "be one"
             )
+    if options.compare:
+        options.step = options.step or [TABLE_STEP]
+        return compare(options.names or QUICK, options)
     names = options.names or (list(every) if options.changed is None else changed(options.changed))
     failed = 0
     for name in names:

@@ -15,7 +15,7 @@ from adapter import main, stepped
 
 
 def simulate(case, step, setting):
-    """Yield rows: time, x and y of the geometric centre, theta."""
+    """Yield rows: time, x and y of the geometric centre, theta, and the engine's own rates."""
     case.one_coefficient()  # refuses a case with two
     case.without_restitution()  # refuses a case that bounces
     # Copy to adapters/NAME_adapter.py, and replace these lines, in which a hoop falls through the
@@ -29,7 +29,10 @@ def simulate(case, step, setting):
         vx, vy = vx + step * case.gravity[0], vy + step * case.gravity[1]
         x, y, theta = x + step * vx, y + step * vy, theta + step * case.theta_rate
 
-    yield from stepped(case, step, advance, lambda time: case.row(time, x, y, theta))
+    def row(time):
+        return case.row(time, x, y, theta, vx, vy, case.theta_rate)
+
+    yield from stepped(case, step, advance, row)
 
 
 if __name__ == "__main__":

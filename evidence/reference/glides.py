@@ -138,10 +138,16 @@ def drawn(draw, kind):
         theta = tiny(-323.3, draw.choice([-300, -140, -60, -5]))
         rate = draw.choice([0.0, tiny(-3, 1), tiny(-3, 1), tiny(-200, -3)])
         slip = draw.choice([0.0, tiny(-3, 1), tiny(-3, 1), tiny(-200, -3)])
-    else:
+    elif kind == "slip":
         theta = draw.uniform(-3.1, 3.1)
         rate = draw.choice([0.0, tiny(-320, -100), tiny(-3, 1)])
         slip = tiny(-320, -20)
+    else:
+        hoop["offset"] = 10 ** draw.uniform(-60, -1)
+        fall = hoop["offset"] ** -0.5
+        theta = draw.choice([draw.uniform(-3.1, 3.1), tiny(-323.3, -5)])
+        rate = draw.choice([0.0, tiny(-3, 1), min(tiny(-3, 0) * fall, 1e5, key=abs)])
+        slip = draw.choice([0.0, tiny(-3, 1), tiny(-200, -3), -rate * draw.uniform(0.9, 1.1)])
     return hoop, [theta, rate, slip]
 
 
@@ -166,7 +172,7 @@ def entry(draw, kind):
 def main():
     draw = random.Random(51)
     glides = []
-    for kind, count in [("top", 160), ("slip", 80)]:
+    for kind, count in [("top", 160), ("slip", 80), ("offset", 60)]:
         while sum(it["kind"] == kind for it in glides) < count:
             found = entry(draw, kind)
             if found:

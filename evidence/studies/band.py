@@ -12,6 +12,7 @@ from littlewood.plot.sheet import listed, panels
 from littlewood.style import LINE
 from matplotlib.figure import Figure
 
+from .attacks import said
 from .hoops import thin_hoop
 from .page import table
 from .study import Study
@@ -154,4 +155,8 @@ def picture() -> Figure:
     return figure
 
 
-STUDY = Study(name="band", texts={"shares": share_table}, pictures={"band": picture})
+STUDY = Study(
+    name="band",
+    texts={"attack": lambda: said("band", "motion"), "shares": share_table},
+    pictures={"band": picture},
+)

@@ -17,6 +17,7 @@ from littlewood.plot.sheet import listed, panels
 from littlewood.style import FAINT, FINE, INK, LINE
 from matplotlib.figure import Figure
 
+from .attacks import said
 from .hoops import DEGREE, random_hoops, thin_hoop
 from .one_angle import rise, turned_at_top, turned_in_air
 from .page import table
@@ -466,6 +467,7 @@ def hops_picture() -> Figure:
 STUDY = Study(
     name="best-hop",
     texts={
+        "attack": lambda: said("best-hop", "angle"),
         "nudges": nudges,
         "bounds": bounds,
         "highest": highest,

@@ -15,6 +15,7 @@ from littlewood.plot.canvas import key
 from littlewood.plot.sheet import listed, panels
 from littlewood.style import ACCENTS, CURVE_COLOURS, FINE, INK, PAPER, REGION
 
+from .attacks import said
 from .hoops import DEGREE, random_hoops, thin_hoop
 from .page import table
 from .study import Study
@@ -392,6 +393,7 @@ def motions() -> Figure:
 STUDY = Study(
     name="bounces-out-of-nothing",
     texts={
+        "attack": lambda: said("bounces-out-of-nothing", "ratio"),
         "survey": counted,
         "least": least,
         "equilibria": equilibria,

@@ -19,6 +19,7 @@ from littlewood.plot.sheet import listed, panels, power
 from littlewood.style import ACCENTS, ARROW_COLOURS, CURVE, FAINT, FINE, HATCH, INK
 from matplotlib.figure import Figure
 
+from .attacks import said
 from .hoops import DEGREE, random_hoops, thin_hoop
 from .page import table
 from .roots import zero
@@ -651,6 +652,7 @@ def losses_picture() -> Figure:
 STUDY = Study(
     name="bouncing-for-ever",
     texts={
+        "attack": lambda: said("bouncing-for-ever", "turning"),
         "agreement": agreement,
         "bands": bands,
         "rocks": rocks,

@@ -12,6 +12,7 @@ from littlewood.plot.sheet import listed, panels
 from littlewood.style import FAINT, FINE, INK
 from matplotlib.figure import Figure
 
+from .attacks import said
 from .contact import Contact
 from .grazing import Grazing, grazing_orbits
 from .hoops import thin_hoop
@@ -229,6 +230,11 @@ def picture() -> Figure:
 
 STUDY = Study(
     name="how-many-slips",
-    texts={"rate": rate_text, "gap": gap_text, "last": last_text},
+    texts={
+        "attack": lambda: said("how-many-slips", "begins"),
+        "rate": rate_text,
+        "gap": gap_text,
+        "last": last_text,
+    },
     pictures={"slips": picture},
 )

@@ -13,10 +13,11 @@ import littlewood as lw
 import numpy as np
 import numpy.typing as npt
 from littlewood.plot.canvas import key, of_curve
-from littlewood.plot.sheet import listed, panels
+from littlewood.plot.sheet import panels
 from littlewood.style import ACCENTS, BOLD, FAINT, FINE, HATCH, INK, LIST_DASHES, PAPER
 from matplotlib.figure import Figure
 
+from .attacks import said
 from .hoops import DEGREE, random_hoops, thin_hoop
 from .page import table
 from .roots import zero
@@ -243,56 +244,9 @@ def rim_bounds() -> list[str]:
     return table(heads, rows)
 
 
-def approach(hoop: lw.Hoop) -> dict[str, Array]:
-    """Return distance, w, N, θ′ and slip on the way into the jam of a rim hoop."""
-    body = Body.of(hoop)
-    theta = body.angle(hoop.mu_k)
-    slides = one_slide(body, hoop.mu_k, theta)
-    xi, level = slides.boundary(np.array([0.02 * (1.0 - body.exponent(math.cos(theta)))]))
-    motion = hoop.simulate(
-        theta=theta + float(xi[-1, 0]), theta_rate=-0.9 * math.sqrt(float(level[-1, 0])), slip=40.0
-    )
-    end = motion.phases[0].end
-    assert end is not None
-    assert motion.outcome.kind == "singular"
-    sample = motion(end.time - end.time * np.logspace(-0.05, -9.0, 60))
-    return {
-        "xi": -np.asarray(end.theta_rate) * (end.time - sample.time),
-        "w": 1.0 - hoop.h * np.cos(sample.theta) * sample.theta_rate**2,
-        "theta": sample.theta - theta,
-        "normal": sample.normal,
-        "rate": sample.theta_rate - end.theta_rate,
-        "slip": sample.slip - end.slip,
-    }
-
-
 def one_slide(body: Body, mu: float, theta: float) -> Slides:
     """Return the slides of one body."""
     return Slides(*(np.array([value]) for value in (body.h, body.k2, mu, theta)))
-
-
-def exponents() -> list[str]:
-    """The exponent of a light rim hoop, and how w falls in the simulation."""
-    body = Body.rim(0.9)
-    rows = []
-    for exponent in (0.1, 0.25, 0.5, 0.75, 0.9):
-        mu = body.friction_of(exponent)
-        theta = body.angle(mu)
-        seen = approach(thin_hoop(0.9, mu_k=mu))
-        # The slide that is smooth at P = 0 has w = ξ tan θ/(1 − λ); what is left of w is a power.
-        rest = seen["w"] - math.tan(theta) / (1.0 - exponent) * seen["theta"]
-        window = (seen["theta"] > 1e-6) & (seen["theta"] < 1e-4)
-        slope = np.polyfit(np.log(seen["theta"][window]), np.log(rest[window]), 1)[0]
-        rows.append(
-            [
-                f"{mu:.4f}",
-                f"{theta / DEGREE:.2f}",
-                f"{exponent:g}",
-                f"{slope:.4f}",
-                f"{exponent - 1.0:g}",
-            ]
-        )
-    return table(["μ", "θ_P, °", "λ", "measured", "N grows as ξ to the power"], rows)
 
 
 @dataclass(frozen=True)
@@ -656,37 +610,6 @@ def near() -> str:
     )
 
 
-def approach_picture() -> Figure:
-    """N, θ′ and slip against the distance from P = 0."""
-    figure, axes = panels(3)
-    body = Body.rim(0.9)
-    names = (
-        "normal force *N*, *m*₂*g*",
-        "*θ*′ − *θ*′ at *P* = 0, √(*g*/*R*)",
-        "*η*′ − *η*′ at *P* = 0, √(*gR*)",
-    )
-    for exponent, look in listed((0.2, 0.5, 0.8)):
-        seen = approach(thin_hoop(0.9, mu_k=body.friction_of(exponent)))
-        xi = seen["theta"]
-        kept = xi > 1e-8
-        for axis, name, power in zip(
-            axes, ("normal", "rate", "slip"), (exponent - 1.0, exponent, exponent), strict=True
-        ):
-            values = np.abs(seen[name])
-            axis.loglog(xi[kept], values[kept], **look, label=f"*λ* = {exponent:g}")
-            place = np.flatnonzero(kept)[-1]
-            # Below the curve, which would cover it.
-            law = 0.4 * values[place] * (xi / xi[place]) ** power
-            axis.loglog(
-                xi[kept], law[kept], color=FAINT, linewidth=FINE, zorder=1, label="0.4 of the power"
-            )
-    for axis, name in zip(axes, names, strict=True):
-        axis.set(xlabel="distance *ξ* from *P* = 0, rad", ylabel=name)
-        axis.invert_xaxis()
-        key(axis)
-    return figure
-
-
 def turned(body: Body, mu: float, theta: float, xi: Array) -> Array:
     """Return the level below which slides turn back before P = 0.
 
@@ -846,7 +769,6 @@ STUDY = Study(
     name="jam",
     texts={
         "rim bounds": rim_bounds,
-        "exponents": exponents,
         "fates": fates,
         "spent": seeming,
         "thrown": thrown,
@@ -856,6 +778,8 @@ STUDY = Study(
         "comsol motions": comsol_motions,
         "near": near,
         "rolling": rolling_starts,
+        "attack bounds": lambda: said("jam", "bounds"),
+        "attack slip": lambda: said("jam", "without slip"),
     },
-    pictures={"approach": approach_picture, "phase": phase_picture, "hoops": hoops_picture},
+    pictures={"phase": phase_picture, "hoops": hoops_picture},
 )

@@ -6,7 +6,6 @@ Motions of light hoops against the rolling and gliding of the paper.
 from __future__ import annotations
 
 import math
-from collections import Counter
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -14,13 +13,11 @@ from typing import Any
 import littlewood as lw
 import numpy as np
 from littlewood.plot.canvas import START, key
-from littlewood.plot.sheet import listed, panels, power
+from littlewood.plot.sheet import panels
 from littlewood.style import (
     ARROW_COLOURS,
     BOLD,
-    FAINT,
     FINE,
-    HATCH,
     INK,
     LINE,
     MODE_COLOURS,
@@ -28,9 +25,9 @@ from littlewood.style import (
 )
 from matplotlib.figure import Figure
 
+from .attacks import said
 from .hoops import DEGREE
 from .limit_system import LimitSystem, Piece, State
-from .page import table
 from .study import Study
 
 FAMILIES = {"thin hoop": 1.0, "no mass, only inertia": 0.0}
@@ -70,56 +67,6 @@ def massless(mu_k: float = 0.4) -> lw.Trajectory:
     return figure_7(lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=0.0, mu_s=0.5, mu_k=mu_k))
 
 
-def slip_shift(mu: float, rate: float) -> float:
-    """Return dθ_s/dÎ of hoops without mass that roll from the top, at Î = 0."""
-    k = 4.0 * (1.0 + rate**2)
-    b = 2.0 / (1.0 + mu**2)
-    return mu * k / (b * (4.0 * b - k))
-
-
-def regular() -> list[str]:
-    """Differences from the massless hoop, over Î."""
-    rows = []
-    for family in FAMILIES:
-        for size in SIZES[::2]:
-            hoop = light(size, family)
-            inertia = hoop.inertia_about_mass_centre
-            motion, limit = figure_7(hoop), massless()
-            angle = motion.transitions[0].state.theta - limit.transitions[0].state.theta
-            times = [motion.transitions[i].time - limit.transitions[i].time for i in (0, 1)]
-            here, there = motion(2.5), limit(2.5)
-            pairs = (
-                (here.theta, there.theta),
-                (here.theta_rate, there.theta_rate),
-                (here.slip, there.slip),
-            )
-            numbers = [angle, *times, *(float(a - b) for a, b in pairs)]
-            rows.append(
-                [family, f"{inertia:.3g}", *(f"{number / inertia:.4f}" for number in numbers)]
-            )
-    heads = [
-        "hoop",
-        "Î",
-        "θ of the slip",
-        "τ of the slip",
-        "τ of the reversal",
-        "θ",
-        "θ′",
-        "η′ at τ = 2.5",
-    ]
-    return table(heads, rows)
-
-
-def slip_law() -> str:
-    """The derived coefficient of the angle of slip."""
-    return f"{slip_shift(0.5, 0.5):.4f}"
-
-
-def thin_slip_law() -> str:
-    """The same for thin hoops, whose mass centre moves off the rim."""
-    return f"{slip_shift(0.5, 0.5) + 0.25:.4f}"
-
-
 def log_factor(mu: float, rate: float, time: float) -> float:
     """Return Δθ over Î ln(1/Î) at a time, for μs = μk and a start at the top."""
     motion = lw.Hoop(mass_ratio=0.0, offset=1.0, inertia=0.0, mu_s=mu, mu_k=mu).simulate(
@@ -131,22 +78,12 @@ def log_factor(mu: float, rate: float, time: float) -> float:
     return -pressure * (time - slip.time) / (math.sin(angle) * pace * math.sin(float(now.theta)))
 
 
-def log_law() -> str:
-    """The factor of the logarithm in the motion of Figure 7 with equal coefficients."""
-    return f"{log_factor(0.5, 0.5, 2.2):.4f}"
-
-
 def friction_at_bottom(family: str, mu: float) -> float:
     """Return (θ′ √Î − v)/√Î at the bottom of Figure 7, as Î → 0.
 
     There the slip is to the left and θ′ > 0.
     """
     return (2.0 if FAMILIES[family] else 1.0) * mu * math.pi * SPEED / 8.0
-
-
-def passage_law() -> str:
-    """The limit of the last column of the passages."""
-    return " and ".join(f"{friction_at_bottom(family, 0.4):.4f} ({family})" for family in FAMILIES)
 
 
 def bottom(hoop: lw.Hoop) -> tuple[float, float]:
@@ -157,48 +94,6 @@ def bottom(hoop: lw.Hoop) -> tuple[float, float]:
         middle = 0.5 * (low + high)
         low, high = (middle, high) if motion(middle).theta < math.pi else (low, middle)
     return low, float(motion(low).theta_rate)
-
-
-def passages() -> list[str]:
-    """The passage of the bottom."""
-    rows = []
-    for family in FAMILIES:
-        for size in SIZES[::2]:
-            hoop = light(size, family)
-            inertia = hoop.inertia_about_mass_centre
-            time, rate = bottom(hoop)
-            late, log = (time - ARRIVAL) / inertia, math.log(1.0 / inertia) / (4.0 * SPEED)
-            rows.append(
-                [
-                    family,
-                    f"{inertia:.3g}",
-                    f"{late:.4f}",
-                    f"{log:.4f}",
-                    f"{late - log:.4f}",
-                    f"{rate * math.sqrt(inertia):.5f}",
-                    f"{(rate * math.sqrt(inertia) - SPEED) / math.sqrt(inertia):.3f}",
-                ]
-            )
-    heads = ["hoop", "Î", "late, over Î", "ln(1/Î)/(4v)", "difference", "θ′ √Î", "(θ′ √Î − v)/√Î"]
-    return table(heads, rows)
-
-
-def speed() -> str:
-    """Return the speed v of Figure 7."""
-    return f"{SPEED:.5f}"
-
-
-def equal() -> list[str]:
-    """Equal coefficients: the distance at τ = 2.2 over Î, and its growth with the logarithm."""
-    off = []
-    for size in SIZES:
-        motion, limit = figure_7(light(size, "no mass, only inertia", 0.5)), massless(0.5)
-        off.append(float(motion(2.2).theta - limit(2.2).theta) / size)
-    rows = [
-        [f"{size:.0e}", f"{here:.4f}", f"{(here - before) / math.log(10.0):.4f}"]
-        for size, before, here in zip(SIZES[1:], off, off[1:], strict=False)
-    ]
-    return table(["Î", "Δθ/Î", "its growth with ln(1/Î)"], rows)
 
 
 def starts(seed: int, count: int) -> list[tuple[float, float, float, float]]:
@@ -251,16 +146,6 @@ def jams(
             )
         )
     return result
-
-
-def jam_table() -> list[str]:
-    """What follows the jams."""
-    count = Counter((expected, found) for expected, found, _, _ in jams())
-    kinds = ("rolling", "sliding", "flight")
-    return table(
-        ["expected", *kinds],
-        [[expected, *(str(count[expected, found]) for found in kinds)] for expected in kinds],
-    )
 
 
 def jam_errors() -> str:
@@ -401,6 +286,71 @@ def stopped() -> str:
     )
 
 
+@cache
+def bounces_in_turn(seed: int, count: int) -> tuple[int, int]:
+    """Return bounces of the limit system that follow one which stops the slip, and with V = 0."""
+    random = np.random.default_rng(seed)
+    following = still = 0
+    for _ in range(count):
+        mu_k = random.uniform(0.1, 1.2)
+        system = LimitSystem(mu_k * random.choice([1.0, 1.3]), mu_k)
+        start = State(random.uniform(-3.0, 3.0), random.normal(), 1.5 * random.normal())
+        if math.cos(start.theta) * start.rate**2 > 0.95:
+            continue
+        stopped = False
+        for piece in system.follow(start, 6.0):
+            if piece.ended_by == "bounce":
+                last = piece.at(0.999999 * (piece.end - piece.begin))
+                drift = abs(last.slip - (1.0 + math.cos(last.theta)) * last.rate)
+                following += stopped
+                still += stopped and drift < 1e-9
+                speed = abs(math.sin(last.theta) * last.rate)
+                stopped = drift < 2.0 * mu_k * speed
+    return following, still
+
+
+def share() -> str:
+    """How many bounces after one that stops the slip have V = 0."""
+    following, still = bounces_in_turn(10, 60)
+    return f"{still} of {following}"
+
+
+LOW = State(math.acos(-0.8), 0.0, 0.0)
+"""A particle at rest at b = 0.2, which bounces with V = 0 and comes back."""
+
+
+def drifts(hoop: lw.Hoop, bounces: int) -> list[float]:
+    """Return V after each bounce of that particle, over the law of `stopped_law`."""
+    speed = math.sqrt(0.4)
+    law = math.pow(2.0 * hoop.mu_s * hoop.inertia_about_mass_centre, 1.0 / 3.0)
+    law *= -0.5 * speed * (1.0 + 0.5 * hoop.mu_k / hoop.mu_s)
+    motion = hoop.simulate(
+        theta=LOW.theta,
+        theta_rate=0.0,
+        slip=0.0,
+        until=2.0 * bounces * speed,
+        max_transitions=400,
+        proof="none",
+    )
+    found = []
+    for k in range(bounces):
+        seen = motion((2.0 * k + 1.5) * speed)
+        level = 1.0 + hoop.h * math.cos(float(seen.theta))
+        # θ′ has the sign of the side from which the particle has come.
+        side = -math.copysign(1.0, math.sin(float(seen.theta)))
+        found.append((float(seen.slip) - level * float(seen.theta_rate)) / (side * law))
+    return found
+
+
+def again() -> str:
+    """V after bounces one after the other, over the law."""
+    parts = []
+    for size in (1e-4, 1e-6, 1e-8):
+        hoop = light(size, "no mass, only inertia", 0.6, 0.72)
+        parts.append(" and ".join(f"{one:.4f}" for one in drifts(hoop, 2)) + f" for Î = {size:.0e}")
+    return ", ".join(parts)
+
+
 def system_picture() -> Figure:
     """Two motions of the limit system, and a light hoop, over θ and θ′."""
     figure, axes = panels(2, height=400.0)
@@ -480,90 +430,15 @@ def system_picture() -> Figure:
     return figure
 
 
-def orders_picture() -> Figure:
-    """Differences against Î; where gliding is no limit; the passage of the bottom."""
-    figure, (left, middle, right) = panels(3)
-    sizes = np.logspace(-7.0, -1.5, 23)
-    rows = []
-    for size in sizes:
-        motion, limit = figure_7(light(float(size), "thin hoop")), massless()
-        equal_motion = figure_7(light(float(size), "no mass, only inertia", 0.5))
-        passing = light(float(size), "no mass, only inertia")
-        time, rate = bottom(passing)
-        rows.append(
-            (
-                abs(motion(2.5).theta - limit(2.5).theta),
-                abs(equal_motion(2.2).theta - massless(0.5)(2.2).theta),
-                time - ARRIVAL,
-                abs(rate * math.sqrt(size) - SPEED),
-            )
-        )
-    labels = (
-        "*θ* in the glide",
-        "*θ*, *μ*ₛ = *μ*ₖ",
-        "time of the bottom",
-        "*θ*′√*Î* at the bottom",
-    )
-    for (values, label), look in listed(list(zip(zip(*rows, strict=True), labels, strict=True))):
-        left.loglog(sizes, values, **look, label=label)
-    left.set(xlabel="*Î* of the hoop", ylabel="distance from the massless hoop")
-    wide: dict[str, Any] = {"color": FAINT, "linewidth": 2.0 * BOLD}
-    angles = np.linspace(0.5, 150.0, 400) * DEGREE
-    middle.fill_between(
-        angles / DEGREE,
-        np.tan(0.5 * angles),
-        3.0,
-        facecolor="none",
-        edgecolor=HATCH,
-        hatch="////",
-        linewidth=0,
-        label="no slide",
-    )
-    middle.plot(angles / DEGREE, np.tan(0.5 * angles), label="massless: tan(*θ*/2)", **wide)
-    for gamma, look in listed((0.99, 0.9, 0.75)):
-        edge = (1.0 - gamma * np.cos(angles)) / (gamma * np.sin(angles))
-        middle.plot(angles / DEGREE, edge, **look, label=f"*γ* = {gamma:g}")
-    middle.set(
-        xlim=(0, 150),
-        ylim=(0, 2.5),
-        xlabel="angle *θ*, degrees",
-        ylabel="friction *μ*ₖ",
-        xticks=range(0, 151, 50),
-    )
-    for size, look in listed((1e-2, 1e-3, 1e-4)):
-        times = np.linspace(2.75, 3.05, 1500)
-        seen = figure_7(light(size, "no mass, only inertia"))(times)
-        right.plot(times, 1.0 + np.cos(seen.theta), **look, label=f"*Î* = {power(size)}")
-    times = np.linspace(2.75, ARRIVAL, 200)
-    right.plot(
-        times,
-        1.0 + np.cos(massless()(times).theta),
-        color=FAINT,
-        linewidth=2.0 * BOLD,
-        zorder=1,
-        label="massless",
-    )
-    right.set(xlabel="time *τ*, √(*R*/*g*)", ylabel="height of the particle, *R*", ylim=(0, None))
-    for axis in (left, middle, right):
-        key(axis)
-    return figure
-
-
 STUDY = Study(
     name="massless-limit",
     texts={
-        "regular": regular,
-        "slip law": slip_law,
-        "thin slip law": thin_slip_law,
-        "log law": log_law,
-        "passage law": passage_law,
-        "speed": speed,
-        "passages": passages,
-        "equal": equal,
         "orders": orders,
         "stopped": stopped,
+        "share": share,
+        "again": again,
         "jam errors": jam_errors,
-        "jams": jam_table,
+        "attack": lambda: said("massless-limit", "bounce"),
     },
-    pictures={"system": system_picture, "orders": orders_picture},
+    pictures={"system": system_picture},
 )

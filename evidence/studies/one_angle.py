@@ -15,6 +15,7 @@ from littlewood.style import FAINT, INK
 from littlewood.tables import IMPACT_LABELS
 from matplotlib.figure import Figure
 
+from .attacks import said
 from .hoops import DEGREE, random_hoops
 from .page import table
 from .roots import zero
@@ -331,6 +332,7 @@ def law_picture() -> Figure:
 STUDY = Study(
     name="one-angle",
     texts={
+        "attack": lambda: said("one-angle", "angle"),
         "laws": laws,
         "whole": whole,
         "steep": steep,

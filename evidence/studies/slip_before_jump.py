@@ -17,6 +17,7 @@ from littlewood.plot.canvas import key
 from littlewood.plot.sheet import listed, panels
 from littlewood.style import FAINT, FINE, INK
 
+from .attacks import said
 from .hoops import DEGREE
 from .page import table
 from .roots import zero
@@ -435,6 +436,7 @@ def heights() -> Figure:
 STUDY = Study(
     name="slip-before-jump",
     texts={
+        "attack": lambda: said("slip-before-jump", "leaves"),
         "critical": critical,
         "slips": slips,
         "best": best_numbers,

@@ -29,6 +29,8 @@ NAMES = (
     "measured-data",
     "telephone",
     "sequences",
+    "rolling-resistance",
+    "mujoco-cone",
 )
 """All studies, in the order of their index; each is a module of this package."""
 

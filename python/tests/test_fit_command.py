@@ -271,6 +271,12 @@ def test_a_clock_that_is_wrong_is_named_with_its_size(motion, slope, level, caps
     noisy = {name: shown[name] + noise[k] for k, name in enumerate(shown)}
     for factor in (1.0, 1.005, 0.995):
         _check_clock(lw.Track(factor * time, **noisy, level=level), hoop, None, False)
+    # What lengths that are known to 1 % leave of the clock, and these flights.
+    assert (
+        0.5 * 0.01 * (3.89 + 1.64)
+        < fall_of(lw.Track(time, **noisy, level=level), hoop).noticed
+        < 0.04
+    )
     for factor in (0.96, 1.04, 0.5, 1000.0):
         wrong = lw.Track(factor * time, **noisy, level=level)
         with pytest.raises(
@@ -461,6 +467,7 @@ def test_a_report_with_all_doubts_names_them(motion):
     page = report_html(result, title="A <hoop>")
     for doubt in result.doubts:
         assert f"Doubt: {doubt.name}." in page
+    assert "No flight tells the clock" in page
     assert "A &lt;hoop&gt;" in page and "The fit has no doubts" not in page
 
 

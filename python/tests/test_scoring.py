@@ -309,6 +309,59 @@ def test_velocities_are_used_if_given():
         lw.scoring.Record(instants, *place, None, rates[0])
 
 
+def test_rates_that_contradict_the_positions_are_told_by_their_size():
+    """Positions that go with a rate of their step are no contradiction, a slow turn is one."""
+    motion = lw.scoring.BENCHMARK["lands"].motion
+    instants = np.arange(0.0, 2.0, 1e-3)
+    samples = motion(instants)
+    place = {"x": samples.x, "y": samples.centre_y, "theta": samples.theta}
+    rates = {
+        "x_rate": samples.slip - samples.theta_rate,
+        "y_rate": samples.gap_rate,
+        "theta_rate": samples.theta_rate,
+    }
+
+    def score(**changed):
+        return lw.scoring.score(motion, lw.scoring.Record(instants, **place | rates | changed))
+
+    assert lw.scoring.score(motion, lw.scoring.Record(instants, **place)).beyond_rates is None
+    exact = score()
+    assert exact.beyond_rates < 1e-7 and not exact.doubts
+    assert exact.as_dict()["beyond_rates"] == exact.beyond_rates
+    # Semi-implicit Euler: each position by the rate at the end of its step, to rounding.
+    euler = np.concatenate(([2.5], 2.5 + np.cumsum(samples.theta_rate[1:] * 1e-3)))
+    assert score(theta=euler).beyond_rates < 1e-7
+    # A turn that is 1 % too slow, all the way.
+    slow = 2.5 + 0.99 * (samples.theta - 2.5)
+    assert score(theta=slow).beyond_rates == pytest.approx(
+        0.01 * (samples.theta[-1] - 2.5), rel=1e-2
+    )
+    # A step of the height without a velocity, as a correction of an overlap is.
+    assert score(y=place["y"] + 0.01 * (instants > 0.5)).beyond_rates == pytest.approx(
+        0.01, rel=0.1
+    )
+    assert "moved beyond rates  1.0" in str(score(y=place["y"] + 0.01 * (instants > 0.5)))
+
+
+def test_rates_of_the_mass_centre_are_named():
+    motion = lw.scoring.BENCHMARK["lands"].motion
+    instants = np.arange(0.0, 2.0, 0.01)
+    samples = motion(instants)
+    along = samples.slip - samples.theta_rate
+    record = lw.scoring.Record(
+        instants,
+        samples.x,
+        samples.centre_y,
+        samples.theta,
+        None,
+        along - motion.hoop.h * np.cos(samples.theta) * samples.theta_rate,
+        samples.gap_rate - motion.hoop.h * np.sin(samples.theta) * samples.theta_rate,
+        samples.theta_rate,
+    )
+    (doubt,) = lw.scoring.score(motion, record).doubts
+    assert "off in x_rate by 0.2" in doubt and "geometric centre" in doubt
+
+
 def test_rim_in_the_plane_for_a_while_gains_no_energy(motion, instants, columns):
     deep = (instants > 0.6) & (instants < 0.8)
     score = scored(motion, instants, columns, y=columns["y"] - 0.004 * deep)

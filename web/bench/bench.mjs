@@ -216,6 +216,21 @@ async function drag(page, state, selector) {
   return { gaps, work };
 }
 
+/** Frames a second of the hoops that are let go at once, and how many they are. */
+async function release(page) {
+  await page.goto(`${ADDRESS}story.html`);
+  const picture = page.locator('#picture-release');
+  await picture.scrollIntoViewIfNeeded();
+  await page.waitForSelector('#picture-release[data-followed]');
+  const drawn = async () => Number(await picture.getAttribute('data-drawn'));
+  const before = await drawn();
+  await page.waitForTimeout(1000 * SLIDE);
+  const rate = ((await drawn()) - before) / SLIDE;
+  const count = await picture.getAttribute('data-followed');
+  await page.context().close();
+  return `${rate.toFixed(0)} a second, ${count} hoops`;
+}
+
 /** Draws the plotting library's chart of this many points anew, as often as there are runs. */
 async function plot(browser, points) {
   const page = await browser.newPage();
@@ -273,6 +288,13 @@ try {
     slides[name] = await slide(browser, hoop);
   const desk = await drag(await visitor(browser, DESK), 'case=figure-3', '#plane');
   const phone = await drag(await visitor(browser, PHONE, SLOWER), 'case=figure-3', '.weight');
+  const full = await drag(
+    await visitor(browser, PHONE, SLOWER),
+    'case=figure-3&level=full',
+    '#plane',
+  );
+  const released = await release(await visitor(browser, DESK));
+  const few = await release(await visitor(browser, PHONE, SLOWER));
   const frames = ({ gaps }) =>
     `${(1000 / median(gaps)).toFixed(0)} a second; 95 % within ${at(gaps, 0.95).toFixed(1)} ms`;
   const plots = await plot(browser, 100_000);
@@ -294,6 +316,9 @@ try {
 | frames while dragging on the Figure 2 hoop | 60 a second | ${frames(desk)} |
 | work of the page for such a frame, time of the processor | < 16.7 ms | ${desk.work.toFixed(1)} ms |
 | frames while dragging on that telephone | 20 a second; 95 % within 100 ms | ${frames(phone)} |
+| the same in the full view | | ${frames(full)} |
+| hoops that are let go at once | 30 a second | ${released} |
+| the same on that telephone | | ${few} |
 | a plot of 100,000 points drawn anew | | ${range(plots)} |
 | outcome map, first picture (32 × 32) | | ${range(levels(16))} |
 | outcome map, 256 × 256 | < 200 ms | ${range(levels(2))} |

@@ -22,6 +22,19 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 /** A person who wants nothing to move by itself. */
 export const STILL = matchMedia('(prefers-reduced-motion: reduce)');
 
+/** Whether an element is in sight, or nearly; `came` is told when it comes. */
+export function inSight(element: Element, came: () => void): () => boolean {
+  let isSeen = true;
+  new IntersectionObserver(
+    ([entry]) => {
+      isSeen = entry?.isIntersecting === true;
+      if (isSeen) came();
+    },
+    { rootMargin: '200px' },
+  ).observe(element);
+  return () => isSeen;
+}
+
 /** A piece of a line as legends show it. */
 export function line(width: number, dash: readonly number[]): SVGElement {
   const space = 'http://www.w3.org/2000/svg';

@@ -10,9 +10,11 @@ import './style/dialogue.css';
 import './style/levels.css';
 import './style/screens.css';
 import './style/embed.css';
+import './style/lecture.css';
 import { namesAgree } from './core/motion';
 import { cases as casesOfCore, provokePanic, startCore } from './core/wasm';
-import { byId } from './dom';
+import { byId, inSight } from './dom';
+import { otherLanguage } from './language';
 import { type Change, Lab } from './state/lab';
 import { type NamedCase, rateOf, type State, type Theme } from './state/state';
 import { type FieldError, format, parse } from './state/url';
@@ -28,15 +30,17 @@ import { Fields } from './ui/fields';
 import { HoopPane } from './ui/hoop-pane';
 import { Host } from './ui/host';
 import { ImpactPane } from './ui/impact-pane';
+import { Lecture } from './ui/lecture';
 import { Level } from './ui/level';
 import { Mark } from './ui/mark';
 import { MovesPane } from './ui/moves-pane';
+import { OwnLesson } from './ui/own-lesson';
 import { PhaseTable } from './ui/phase-table';
 import { PlanePane } from './ui/plane-pane';
 import { ProblemBar } from './ui/problem-bar';
 import { Share } from './ui/share';
 import { Story } from './ui/story';
-import { LESSONS, type LessonName, partsOf } from './ui/texts';
+import { type Asked, partsOf, writeTexts } from './ui/texts';
 import { isDark, onSystemTheme, paletteOf, setTheme } from './ui/theme';
 import { Transport } from './ui/transport';
 import { Words } from './ui/words';
@@ -46,6 +50,7 @@ import { Plots } from './views/plots';
 const ADDRESS_PAUSE = 250;
 
 watch();
+writeTexts();
 await startCore(showDefect);
 if (!namesAgree()) throw new Error('page and core have different versions');
 start(JSON.parse(casesOfCore()) as NamedCase[]);
@@ -57,7 +62,7 @@ function start(cases: NamedCase[]): void {
   const { embed } = parse(location.hash, plain).state.view;
   const first: State = { ...plain, view: { ...plain.view, embed } };
   const lab = new Lab(first, cases);
-  const address: Address = new Address(lab, () => ask.lesson);
+  const address: Address = new Address(lab, () => ask.asked?.text ?? null);
   setTheme(first.view.theme);
 
   let palette = paletteOf(first.view.theme);
@@ -68,7 +73,7 @@ function start(cases: NamedCase[]): void {
   const level = new Level(lab);
   const clock: Clock = new Clock(
     lab,
-    () => lab.state.view.slow || level.isSimple || ask.lesson !== null,
+    () => lab.state.view.slow || level.isSimple || ask.asked !== null,
     () => {
       transport.showView();
       ask.showTime();
@@ -82,7 +87,7 @@ function start(cases: NamedCase[]): void {
     byId('hoop', HTMLCanvasElement).scrollIntoView({ block: 'nearest' });
   };
   /** Letters, forces in numbers and what is predicted are for lessons and the full view. */
-  const isPlain = (): boolean => level.isSimple && ask.lesson === null;
+  const isPlain = (): boolean => level.isSimple && ask.asked === null;
   const hoop = new HoopPane(lab, clock, palette, isPlain, draw);
   const isWhole = (): boolean => !lab.state.view.embed && !level.isSimple;
   const plane = new PlanePane(lab, palette, isWhole, draw, showDefect);
@@ -102,7 +107,7 @@ function start(cases: NamedCase[]): void {
     lab,
     clock,
     () => level.isSimple,
-    (lesson) => openLesson(lesson),
+    (asked) => openLesson(asked),
   );
   const transport = new Transport(lab, clock);
   const story = new Story(lab);
@@ -115,19 +120,39 @@ function start(cases: NamedCase[]): void {
     lab,
     {
       hoop: (c, width, height) => hoop.drawOn(c, width, height),
+      film: (c, width, height, time) => hoop.drawOn(c, width, height, time),
       plane: (c, width, height) => plane.drawOn(c, width, height),
       impact: (c, width, height) => impact.drawOn(c, width, height),
     },
     () => palette,
     () => address.text,
   );
+  new OwnLesson(({ text }) => address.textOf(lab.state.problem, text));
   const embedding = new Embedding(lab);
+  const lecture = new Lecture(
+    lab,
+    (problem) => address.textOf(problem),
+    () => {
+      stale.motion = true;
+      draw();
+    },
+  );
 
+  /** What is out of sight is drawn when it comes. */
+  const plotsInSight = inSight(byId('plots', HTMLDivElement), draw);
   const stale = { motion: true, time: true, tables: false };
   function paint(): void {
     frame = 0;
     hoop.paint();
     if (!isWhole()) return;
+    paintPlots();
+    plane.paint();
+    impact.paint();
+    moves.paint();
+  }
+
+  function paintPlots(isPrinted = false): void {
+    if (!plotsInSight() && !isPrinted) return;
     if (stale.motion) {
       const { motion, units, pinned, state } = lab;
       plots.setMotion({
@@ -135,14 +160,12 @@ function start(cases: NamedCase[]): void {
         units,
         system: state.problem.system,
         pinned: pinned?.motion ?? null,
+        available: lab.plain.mu_s,
       });
     }
     if (stale.motion || stale.time) plots.setTime(lab.time);
     stale.motion = false;
     stale.time = false;
-    plane.paint();
-    impact.paint();
-    moves.paint();
   }
 
   const showTheme = (): void => {
@@ -182,6 +205,7 @@ function start(cases: NamedCase[]): void {
     if (changes.has('view')) {
       embedding.showView();
       level.showView();
+      lecture.showTime();
       ask.showSecret();
       transport.showView();
       hoop.viewChanged();
@@ -192,13 +216,15 @@ function start(cases: NamedCase[]): void {
       }
     }
     // Out of sight they wait for the end of a drag, which has the time.
-    if (stale.tables && !(level.isSimple && lab.held)) showTables();
+    if (stale.tables && !(level.hidesTables && lab.held)) showTables();
+    else if (stale.tables && !level.isSimple) fields.show();
     if (changes.has('hoop')) plane.hoopChanged();
     if (changes.has('time')) {
       stale.time = true;
       transport.showTime();
       story.showTime();
       ask.showTime();
+      lecture.showTime();
       mark.showTime();
       energy.showTime();
       if (!stale.tables) {
@@ -218,12 +244,12 @@ function start(cases: NamedCase[]): void {
   let origin = first.problem;
   const read = (fragment: string): void => {
     clock.pause();
-    const { lesson, pin, rest } = partsOf(fragment);
-    const link = lesson !== null && rest === '' ? LESSONS[lesson].link : rest;
+    const { asked, pin, rest } = partsOf(fragment);
+    const link = asked !== null && rest === '' ? asked.lesson.link : rest;
     const { state, fieldErrors } = parse(link, lab.state);
-    if (lesson !== ask.lesson) openQuestion(lesson);
+    if (asked?.text !== ask.asked?.text) openQuestion(asked);
     reading = true;
-    if (pin !== null || lesson === null) fieldErrors.push(...pinned(pin));
+    if (pin !== null || asked === null) fieldErrors.push(...pinned(pin));
     lab.take(state.problem, state.view, fieldErrors);
     reading = false;
     address.taken();
@@ -236,18 +262,18 @@ function start(cases: NamedCase[]): void {
     return errors.map((it) => ({ ...it, field: `pin: ${it.field}` }));
   };
   /** The question of a lesson, and the motion that is pinned for it. */
-  const openQuestion = (lesson: LessonName | null): void => {
-    ask.open(lesson);
+  const openQuestion = (asked: Asked | null): void => {
+    ask.open(asked);
     // A lesson begins with the simple view.
     lab.setView({});
-    const pin = lesson === null ? undefined : LESSONS[lesson].pin;
+    const pin = asked?.lesson.pin;
     lab.pin(pin === undefined ? null : parse(pin).state.problem);
   };
-  const openLesson = (lesson: LessonName | null): void => {
+  const openLesson = (asked: Asked | null): void => {
     clock.pause();
-    openQuestion(lesson);
-    if (lesson === null) return;
-    const { problem } = parse(LESSONS[lesson].link).state;
+    openQuestion(asked);
+    if (asked === null) return;
+    const { problem } = parse(asked.lesson.link).state;
     lab.take(problem, { rate: rateOf(problem) });
     origin = problem;
   };
@@ -261,6 +287,17 @@ function start(cases: NamedCase[]): void {
       origin = lab.state.problem;
     }
   });
+  const other = otherLanguage();
+  const languageLink = byId('language', HTMLAnchorElement);
+  languageLink.textContent = other.name;
+  languageLink.lang = other.language;
+  // A notebook's page has no address to change.
+  languageLink.hidden = !HAS_ADDRESS;
+  // The motion comes along.
+  languageLink.addEventListener('click', (event) => {
+    event.preventDefault();
+    location.assign(`${other.address}#${address.fragment}`);
+  });
   byId('theme', HTMLButtonElement).addEventListener('click', () => {
     lab.setView({ theme: isDark(lab.state.view.theme) ? 'light' : 'dark' });
   });
@@ -273,6 +310,7 @@ function start(cases: NamedCase[]): void {
   });
   window.addEventListener('beforeprint', () => {
     byId('sheet-link', HTMLParagraphElement).textContent = address.text;
+    paintPlots(true);
   });
   window.addEventListener('hashchange', () => {
     if (location.hash.slice(1) !== address.fragment) read(location.hash);

@@ -128,3 +128,41 @@ test('the lines to copy have every digit', async ({ page }) => {
     'import littlewood as lw; motion = lw.Hoop(mass_ratio=1, offset=1, inertia=1, mu_s=0.5, mu_k=0.4, restitution=0.5, restitution_law="poisson").simulate(theta=-0.1234567890123456, theta_rate=2, gap_rate=0.25)',
   );
 });
+
+test('a film of the hoop is a GIF, and MP4 where this browser encodes video', async ({ page }) => {
+  // A fast clock makes a short film.
+  await open(page, 'case=figure-3&speed=4');
+  await page.locator('#open-share').click();
+  const said = page.locator('#film-progress');
+  const gif = await text(page, '#gif-hoop');
+  expect(gif.name).toBe('figure-3.gif');
+  expect(gif.bytes.subarray(0, 6).toString()).toBe('GIF89a');
+  expect(gif.bytes.readUInt16LE(6)).toBe(720);
+  // 3.85 of the motion at 4 a second are 0.96 s: 20 frames, of which the first has the colours.
+  expect(gif.bytes.toString('latin1').split('\x21\xf9\x04')).toHaveLength(1 + 20);
+  await expect(said).toContainText('figure-3.gif');
+  if (await page.evaluate(() => 'VideoEncoder' in window)) {
+    const { name, bytes } = await text(page, '#mp4-hoop');
+    expect(name).toBe('figure-3.mp4');
+    // In a page of its own: this one plays nothing.
+    const other = await page.context().newPage();
+    const [duration, width] = await other.evaluate(
+      async (data) => {
+        const video = document.createElement('video');
+        await new Promise((done, failed) => {
+          [video.onloadeddata, video.onerror] = [done, failed];
+          video.src = data;
+        });
+        return [video.duration, video.videoWidth] as const;
+      },
+      `data:video/mp4;base64,${bytes.toString('base64')}`,
+    );
+    await other.close();
+    expect(width).toBe(720);
+    expect(Math.abs(duration - 0.96)).toBeLessThan(0.1);
+  }
+  // Where it does not, it says so.
+  await page.evaluate(() => Reflect.deleteProperty(window, 'VideoEncoder'));
+  await page.locator('#mp4-hoop').click();
+  await expect(said).toHaveText('No film: this browser does not encode video; take the GIF.');
+});

@@ -1,8 +1,8 @@
 // Lessons: a question, a guess, an answer; and two motions side by side.
 
 import { expect, test } from '@playwright/test';
-import texts from '../src/texts.json' with { type: 'json' };
-import { field, open, phases } from './lab';
+import texts from '../src/texts/en.json' with { type: 'json' };
+import { field, open, phases, ready, watch } from './lab';
 
 /** What the paper, its equations and the reference motions say: how each lesson's motion goes on, and which guess is right. */
 const TRUTH = {
@@ -116,4 +116,81 @@ test('a pinned motion is compared in numbers, at the hoop and in the plots', asy
   await expect(page.locator('#compared')).toBeHidden();
   await expect.poll(hash).not.toBe(both);
   await expect.poll(plot).not.toBe(curves);
+});
+
+test('a lesson of one’s own is a link: its question, its motion, and what it hides', async ({
+  page,
+}) => {
+  await open(page, 'case=slip-then-jump');
+  await page.locator('#open-share').click();
+  await page.getByText('A lesson of your own').click();
+  const link = page.locator('#own-text');
+  await page.locator('#own-question').fill('');
+  await expect(link).toHaveValue('');
+  await expect(page.locator('#own-message')).toContainText('two guesses');
+  await page.locator('#own-question').fill('Was passiert zuerst & wann?');
+  await page.locator('#own-guesses').fill('es rutscht\nes rollt = ewig\nes springt');
+  await page.locator('#own-until').selectOption('at the first slip');
+  await page.locator('#own-answer').fill('Es rutscht: 100 % sicher.');
+  await page.getByLabel('the sliders').check();
+  const address = await link.inputValue();
+  expect(address).toContain('&case=slip-then-jump');
+  // As somebody who gets it, on a telephone.
+  const context = await page
+    .context()
+    .browser()!
+    .newContext({ viewport: { width: 390, height: 800 } });
+  const other = await context.newPage();
+  watch(other);
+  await other.goto(address);
+  await ready(other);
+  await expect(other.locator('#banner')).toBeHidden();
+  await expect(other.locator('#question')).toHaveText('Was passiert zuerst & wann?');
+  await expect(other.locator('.words')).toBeHidden();
+  await expect(other.locator('.story')).toBeVisible();
+  await expect(other.locator('html')).toHaveAttribute('data-secret');
+  await other.getByRole('button', { name: 'es rollt = ewig' }).click();
+  await other.locator('#last').click();
+  await expect(other.locator('#answer')).toHaveText(`${texts.wrong} Es rutscht: 100 % sicher.`);
+  // The address keeps it; the list has it, and leaves it.
+  await expect(other).toHaveURL(/#ask=question/);
+  await other.reload();
+  await expect(other.getByRole('combobox', { name: 'Lesson' })).toHaveValue('own');
+  await other.getByRole('combobox', { name: 'Lesson' }).selectOption('');
+  await expect(other).not.toHaveURL(/ask=/);
+  await expect(other.locator('.words')).toBeVisible();
+  await other.goto('./#ask=question%3DWhat');
+  await other.reload();
+  await expect(other.locator('#banner')).toContainText('ask=');
+  await context.close();
+});
+
+test('the lecture has large letters, metres and degrees, and a code of the link', async ({
+  page,
+}) => {
+  await open(page, 'case=figure-3&at=1.4');
+  const button = page.locator('#lecture');
+  await button.click();
+  await expect(page.locator('#readout')).toHaveText(/^t = 0\.3 s\s+θ = 286°\s+x = −1\.54 m/);
+  await expect(page.locator('.plot')).toHaveCount(5);
+  await expect(page.locator('.plot:visible')).toHaveCount(1);
+  await expect(page.locator('#qr path')).toBeVisible();
+  // The squares of the code, a cell each: what a telephone reads is the link, which is short.
+  const code = await page.locator('#qr svg').evaluate((svg) => {
+    const size = Number(svg.getAttribute('viewBox')!.split(' ')[2]);
+    const dark = [...svg.firstElementChild!.getAttribute('d')!.matchAll(/M(\d+) (\d+)/g)];
+    return { size, dark: dark.map(([, x, y]) => [Number(x), Number(y)]) };
+  });
+  const { encode } = await import('uqr');
+  const address = page.url().split('#')[0];
+  const wanted = encode(`${address}#case=figure-3&at=1.4`, { border: 2 });
+  expect(code.size).toBe(wanted.size);
+  const squares = wanted.data.flatMap((row, y) => row.flatMap((is, x) => (is ? [[x, y]] : [])));
+  expect(code.dark).toEqual(squares);
+  expect(
+    await page.evaluate(() => document.documentElement.scrollHeight - window.innerHeight),
+  ).toBeLessThanOrEqual(1);
+  await button.click();
+  await expect(page.locator('#readout')).toBeHidden();
+  await expect(page.locator('#case')).toHaveValue('figure-3');
 });

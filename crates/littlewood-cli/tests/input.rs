@@ -16,7 +16,7 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
     let massless = ["--mass-ratio", "0", "--inertia", "0"];
     let massless_impact = [&massless[..], &["--restitution", "0.5"]].concat();
     let massless_flight = [&massless[..], &["--gap-rate", "0.5"]].concat();
-    let cases: [(&[&str], &str, &str); 25] = [
+    let cases: [(&[&str], &str, &str); 27] = [
         (
             &["--restitution", "1.5"],
             "restitution = 1.5 must not exceed 1",
@@ -69,7 +69,17 @@ fn a_value_out_of_bounds_is_named_with_its_bound_and_a_hint() {
         ),
         (
             &["--gap-rate", "1e7"],
-            "gap_rate = 10000000 sqrt(g R) must lie between",
+            "gap_rate = 10000000 sqrt(g R) must not exceed 1e6",
+            "no longer resolves",
+        ),
+        (
+            &["--mass-ratio", "2e9"],
+            "mass_ratio = 2000000000 must not exceed 1e9",
+            "no longer resolves",
+        ),
+        (
+            &["--theta", "-2e9"],
+            "theta = -2000000000 rad must lie between -1e9 and 1e9",
             "no longer resolves",
         ),
         (

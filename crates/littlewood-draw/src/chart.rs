@@ -6,6 +6,7 @@ use crate::figure::{Figure, Key, Mark, Panel, PlotAxis, Series, View, tilted};
 use crate::item::{Corners, Item, STEPS, Step, Words, steps};
 use crate::letters::width;
 use crate::marks::{Canvas, MIDDLE, edge};
+use crate::place::{Lead, lead};
 use crate::primitives::{Anchor, Point};
 use crate::space::Space;
 use crate::stroke::{INK, LETTER, PAPER, SMALL, SOFT, Stroke, TICK};
@@ -290,8 +291,13 @@ impl Canvas {
 
     fn labels(&mut self, panel: &Panel, place: impl Fn(&[f64]) -> Step) {
         for label in &panel.labels {
+            let here = place(&label.at);
+            if let Some(Lead { from, to }) = lead(label, here.pixels()) {
+                let ends = [from, to].map(Step::of_pixels);
+                self.line(&ends, Stroke::solid(label.colour, FINE));
+            }
             let [right, down] = label.shift.map(steps);
-            let Point { x, y } = place(&label.at).by(right, down).pixels();
+            let Point { x, y } = here.by(right, down).pixels();
             let at = [x, y + MIDDLE * label.size];
             let (text, anchor, size) = (label.text.clone(), label.anchor, label.size);
             let words = Words {

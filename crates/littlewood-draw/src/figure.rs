@@ -236,6 +236,12 @@ pub struct Label {
     pub colour: Rgb,
     /// Whether it stands where it is asked for: the figure has made room for it.
     pub is_fixed: bool,
+    /// Whether it is the name of its place alone: it may stand far off, at the end of a line from
+    /// there.
+    pub is_led: bool,
+    /// Whether it is the name of the area that its place is in: it may stand anywhere in it, and
+    /// nowhere else.
+    pub is_of_area: bool,
 }
 
 /// A line of the key.
@@ -467,6 +473,8 @@ impl Label {
             size: LETTER,
             colour: INK,
             is_fixed: false,
+            is_led: false,
+            is_of_area: false,
         }
     }
 
@@ -474,6 +482,22 @@ impl Label {
     pub fn fixed(self) -> Self {
         Self {
             is_fixed: true,
+            ..self
+        }
+    }
+
+    /// The name of its place alone, to which a line leads where it stands far off.
+    pub fn led(self) -> Self {
+        Self {
+            is_led: true,
+            ..self
+        }
+    }
+
+    /// The name of the area that its place is in.
+    pub fn of_area(self) -> Self {
+        Self {
+            is_of_area: true,
             ..self
         }
     }

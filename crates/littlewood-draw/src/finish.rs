@@ -10,15 +10,18 @@ use crate::letters::width;
 use crate::place::place;
 use crate::primitives::Range;
 use crate::space::length_of;
-use crate::stroke::{SMALL, Stroke};
-use crate::words::short;
+use crate::stroke::{LETTER, SMALL, Stroke};
+use crate::words::{angle, short};
 
 /// Most ticks of an axis, and the least room between their labels in pixels.
 const MOST: usize = 9;
 const BESIDE: f64 = 12.0;
 const ABOVE: f64 = 12.0;
-/// Widest label of an axis upwards.
-const UPRIGHT: f64 = 40.0;
+/// Widest label of an axis upwards, and how far one goes beyond the end of an axis to the right.
+const UPRIGHT: f64 = 37.0;
+const AFTER: f64 = 20.0;
+/// How much longer than its axis the title of an axis upwards may be.
+const OVER: f64 = 12.0;
 /// Pixels to a tick of an axis to the right, and of one upwards.
 const EACH: [f64; 2] = [60.0, 30.0];
 /// The same of three axes, which are shorter.
@@ -30,7 +33,7 @@ impl Figure {
     /// below the panels and in the caption.
     #[must_use]
     pub fn fitted(mut self) -> Self {
-        let mut left_out: Vec<String> = Vec::new();
+        let (mut left_out, mut units): (Vec<String>, Vec<String>) = Default::default();
         for panel in &mut self.panels {
             let PanelFrame {
                 width: across,
@@ -40,8 +43,28 @@ impl Figure {
             let [[left, top], [right, bottom]] = panel.axes_frame();
             match &mut panel.view {
                 View::Plane { x, y, .. } => {
-                    fit(x, right - left, true, EACH[0]);
-                    fit(y, bottom - top, false, EACH[1]);
+                    fit(
+                        x,
+                        Extent {
+                            pixels: right - left,
+                            to_the_right: true,
+                            each: EACH[0],
+                        },
+                    );
+                    let symbol = y.title.split(UNIT).next().unwrap_or_default().to_owned();
+                    fit(
+                        y,
+                        Extent {
+                            pixels: bottom - top,
+                            to_the_right: false,
+                            each: EACH[1],
+                        },
+                    );
+                    let unit = without_unit(&mut y.title, bottom - top + OVER);
+                    units.extend(
+                        unit.filter(|unit| !unit.is_empty())
+                            .map(|unit| format!("Unit of {symbol}: {unit}.")),
+                    );
                 }
                 View::Space {
                     x,
@@ -51,9 +74,23 @@ impl Figure {
                     pitch,
                 } => {
                     let length = length_of(across, upwards);
-                    fit(x, length * libm::cos(*yaw).abs(), true, IN_SPACE);
-                    fit(y, length * libm::cos(*pitch).abs(), false, IN_SPACE);
-                    fit(z, length * libm::sin(*yaw).abs(), true, IN_SPACE);
+                    let along = |share: f64, to_the_right| Extent {
+                        pixels: length * share.abs(),
+                        to_the_right,
+                        each: IN_SPACE,
+                    };
+                    let axes = [
+                        (&mut *x, along(libm::cos(*yaw), true)),
+                        (&mut *y, along(libm::cos(*pitch), false)),
+                        (&mut *z, along(libm::sin(*yaw), true)),
+                    ];
+                    for (axis, extent) in axes {
+                        let title = axis.title.clone();
+                        fit(axis, extent);
+                        // A title in space is a label.
+                        let own = panel.labels.iter_mut().filter(|label| label.text == title);
+                        own.for_each(|label| label.text.clone_from(&axis.title));
+                    }
                     // Two edges meet in a corner, which has no room for the ticks of both.
                     for (axis, end) in [(x, 0.08), (z, 0.12)] {
                         let own = axis.clone();
@@ -72,6 +109,7 @@ impl Figure {
                     .map(|label| label.text),
             );
         }
+        self.notes.extend(units);
         self.notes.extend(no_room(&left_out));
         for note in &self.notes {
             self.caption += " ";
@@ -127,7 +165,7 @@ impl Farthest {
             short(self.value)
         };
         let label = Label::new(text, &[self.across, edge]).sized(SMALL);
-        label.coloured(self.colour).left().shifted(7.0, down)
+        label.coloured(self.colour).left().shifted(7.0, down).led()
     }
 }
 
@@ -190,59 +228,206 @@ fn beyond(panel: &Panel) -> (Vec<Layer>, Vec<Label>) {
     (layers, labels.collect())
 }
 
-/// As many ticks as an axis of so many pixels has room for.
-fn fit(axis: &mut PlotAxis, pixels: f64, to_the_right: bool, each: f64) {
-    // A low panel may have room for more than one beside its end.
-    let fewest = if to_the_right { 2 } else { 4 };
-    let most = (libm::floor(pixels / each) as usize).clamp(fewest, MOST);
-    let bent = axis.clone();
-    let place = |value: f64| bent.share(value);
-    let apart = |a: &Tick, b: &Tick| {
-        let distance = (place(b.value) - place(a.value)) * pixels;
-        let needed = if to_the_right {
+/// How long an axis is, which way it runs, and how many pixels a tick takes.
+#[derive(Clone, Copy)]
+struct Extent {
+    pixels: f64,
+    to_the_right: bool,
+    each: f64,
+}
+
+impl Extent {
+    /// Most ticks; a low panel may have room for more than one beside its end.
+    fn most(self) -> usize {
+        let fewest = if self.to_the_right { 2 } else { 4 };
+        (libm::floor(self.pixels / self.each) as usize).clamp(fewest, MOST)
+    }
+
+    fn are_apart(self, axis: &PlotAxis, a: &Tick, b: &Tick) -> bool {
+        let distance = (axis.share(b.value) - axis.share(a.value)) * self.pixels;
+        let needed = if self.to_the_right {
             0.5 * (width(&a.label, SMALL) + width(&b.label, SMALL)) + BESIDE
         } else {
             SMALL + ABOVE
         };
         distance.abs() >= needed
+    }
+
+    fn fit(self, axis: &PlotAxis, ticks: &[Tick]) -> bool {
+        let mut pairs = ticks.windows(2);
+        pairs.all(|pair| self.are_apart(axis, &pair[0], &pair[1]))
+    }
+
+    /// Whether labels are numbers without powers of ten that stay beside the axis.
+    fn are_short(self, axis: &PlotAxis, ticks: &[Tick]) -> bool {
+        ticks.iter().all(|tick| {
+            let wide = width(&tick.label, SMALL);
+            let is_beside = if self.to_the_right {
+                axis.share(tick.value) * self.pixels + 0.5 * wide <= self.pixels + AFTER
+            } else {
+                wide <= UPRIGHT
+            };
+            is_beside && !tick.label.contains('e')
+        })
+    }
+}
+
+/// As many ticks as an axis has room for.
+fn fit(axis: &mut PlotAxis, extent: Extent) {
+    let given = axis.clone();
+    let counts = || {
+        (1..=extent.most())
+            .rev()
+            .map(|count| choices(&given, count))
     };
-    let fits = |ticks: &[Tick]| ticks.windows(2).all(|pair| apart(&pair[0], &pair[1]));
-    let candidates: Vec<Vec<Tick>> = (1..=most)
-        .rev()
-        .map(|count| choices(axis, count))
-        .filter(|ticks| fits(ticks))
-        .collect();
-    let is_short = |ticks: &&Vec<Tick>| {
-        to_the_right || ticks.iter().all(|it| width(&it.label, SMALL) <= UPRIGHT)
-    };
-    let Some(found) = candidates.iter().find(is_short).or(candidates.first()) else {
+    let fits = |ticks: &Vec<Tick>| extent.fit(&given, ticks);
+    let short = counts().find(|ticks| fits(ticks) && extent.are_short(&given, ticks));
+    let told = || counts().find_map(|ticks| Told::shortest(&given, extent, &ticks));
+    let found = short
+        .or_else(|| told().map(|told| told.entitle(&mut axis.title)))
+        .or_else(|| counts().find(fits));
+    let Some(mut found) = found else {
         return;
     };
-    let mut found = found.clone();
-    if !is_short(&&found) {
-        // Numbers that hardly differ are told from one of them.
-        let Tick { value: base, label } = found[found.len() / 2].clone();
-        found
-            .iter_mut()
-            .for_each(|tick| tick.label = short(tick.value - base));
-        let sign = if base < 0.0 { "+" } else { "−" };
-        // The number of the tick has its digits, and none of rounding.
-        let number = label.trim_start_matches('−');
-        let number = if number.contains('.') {
-            number.trim_end_matches('0').trim_end_matches('.')
-        } else {
-            number
-        };
-        let from = format!(" {sign} {number}");
-        let at = axis.title.find("  (").unwrap_or(axis.title.len());
-        axis.title.insert_str(at, &from);
-    }
     if let Scale::Angle(own) = &axis.scale {
-        found.retain(|tick| own.iter().all(|other| apart(tick, other)));
+        found.retain(|tick| {
+            own.iter()
+                .all(|other| extent.are_apart(&given, tick, other))
+        });
         found.extend(own.iter().cloned());
         found.sort_by(|a, b| a.value.total_cmp(&b.value));
     }
     axis.ticks = found;
+}
+
+/// Ticks whose labels are short because the title says the rest: a number that is taken off, and
+/// a power of ten.
+struct Told {
+    ticks: Vec<Tick>,
+    /// What is taken off, with its sign.
+    base: String,
+    power: i32,
+}
+
+/// Sizes of numbers that stand as they are.
+const PLAIN: Sizes = 1e-3..1e6;
+/// From a size to below another.
+type Sizes = core::ops::Range<f64>;
+
+impl Told {
+    /// In a power of ten, or else from one of them, if that makes them short.
+    fn shortest(axis: &PlotAxis, extent: Extent, ticks: &[Tick]) -> Option<Self> {
+        // Curved axes have numbers of their own.
+        if axis.linear.is_finite() || axis.scale == Scale::Decades {
+            return None;
+        }
+        let middle = ticks.get(ticks.len() / 2)?;
+        let is_angle = matches!(axis.scale, Scale::Angle(_));
+        let number = if is_angle && middle.label.contains('π') {
+            middle.label.trim_start_matches('−').to_owned()
+        } else {
+            let steps = ticks.iter().map(|tick| tick.value).collect::<Vec<_>>();
+            of_decimals(middle.value.abs(), decimals(&steps))
+        };
+        let sign = if middle.value < 0.0 { "+" } else { "−" };
+        let whole = [PLAIN, 0.0..0.0].map(|plain| (0.0, String::new(), plain));
+        let less = (middle.value, format!(" {sign} {number}"), PLAIN);
+        whole
+            .into_iter()
+            .chain([less])
+            .find_map(|(value, base, plain)| {
+                let less: Vec<f64> = ticks.iter().map(|tick| tick.value - value).collect();
+                let (labels, power) = scaled(&less, is_angle && !base.is_empty(), plain);
+                let labels = ticks.iter().zip(labels);
+                let ticks: Vec<Tick> = labels
+                    .map(|(tick, label)| Tick {
+                        label,
+                        ..tick.clone()
+                    })
+                    .collect();
+                let is_good = extent.fit(axis, &ticks) && extent.are_short(axis, &ticks);
+                is_good.then_some(Self { ticks, base, power })
+            })
+    }
+
+    /// Says the rest in a title.
+    fn entitle(self, title: &mut String) -> Vec<Tick> {
+        let unit = title.find(UNIT).unwrap_or(title.len());
+        title.insert_str(unit, &self.base);
+        let unit = unit + self.base.len();
+        if self.power != 0 {
+            let factor = format!("10^{{{}}}", ticks::minus(&self.power.to_string()));
+            if unit < title.len() {
+                title.insert_str(unit + UNIT.len(), &format!("{factor} "));
+            } else {
+                title.push_str(&format!("{UNIT}{factor})"));
+            }
+        }
+        self.ticks
+    }
+}
+
+/// Begins the unit in the title of an axis.
+const UNIT: &str = "  (";
+
+/// Takes the unit off a title that is longer than there is room, and then the power of ten; what it
+/// has taken off.
+fn without_unit(title: &mut String, room: f64) -> Option<String> {
+    let unit = title.find(UNIT).filter(|_| width(title, LETTER) > room)?;
+    let inner = title.split_off(unit);
+    let inner = inner.strip_prefix(UNIT)?.strip_suffix(')')?;
+    let factor = inner.split(' ').next().filter(|it| it.starts_with("10^"));
+    let with_factor = factor.map(|factor| format!("{title}{UNIT}{factor})"));
+    match (factor, with_factor) {
+        (Some(factor), Some(shorter)) if width(&shorter, LETTER) <= room => {
+            *title = shorter;
+            Some(inner[factor.len()..].trim_start().to_owned())
+        }
+        _ => Some(inner.to_owned()),
+    }
+}
+
+/// The fewest decimals with which multiples of a step are told apart from others.
+fn decimals(values: &[f64]) -> usize {
+    let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let step = steps.fold(f64::INFINITY, f64::min);
+    if !step.is_normal() {
+        return 0;
+    }
+    let first = (-libm::floor(libm::log10(step))).max(0.0) as usize;
+    // A step of 2.5 has one more.
+    let is_whole = |digits: &usize| {
+        let units = step * libm::exp10(*digits as f64);
+        (units - libm::round(units)).abs() < 1e-3
+    };
+    [first, first + 1]
+        .into_iter()
+        .find(is_whole)
+        .unwrap_or(first)
+}
+
+fn of_decimals(value: f64, digits: usize) -> String {
+    ticks::minus(&format!("{:.digits$}", value + 0.0))
+}
+
+/// Labels of numbers, in a power of ten if the largest is not as plain numbers are; of angles, if
+/// they are to be, in parts of π.
+fn scaled(values: &[f64], are_angles: bool, plain: Sizes) -> (Vec<String>, i32) {
+    let most = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
+    let own: Vec<String> = values.iter().map(|value| angle(*value)).collect();
+    if are_angles && own.iter().any(|label| label.contains('π')) {
+        return (own, 0);
+    }
+    let power = if plain.contains(&most) || most == 0.0 {
+        0
+    } else {
+        libm::floor(libm::log10(most)) as i32
+    };
+    let unit = libm::exp10(f64::from(power));
+    let values: Vec<f64> = values.iter().map(|value| value / unit).collect();
+    let digits = decimals(&values);
+    let labels = values.iter().map(|value| of_decimals(*value, digits));
+    (labels.collect(), power)
 }
 
 /// At most about so many ticks.
@@ -314,9 +499,25 @@ fn symmetric(axis: &PlotAxis, most: usize) -> Vec<Tick> {
         .filter(|value| (from..=to).contains(value));
     seen.map(|value| Tick {
         value,
-        label: short(value),
+        label: of_one_digit(value),
     })
     .collect()
+}
+
+/// A number of one digit: as a power of ten where it has many places.
+fn of_one_digit(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e5).contains(&value.abs()) {
+        return short(value);
+    }
+    let power = libm::floor(libm::log10(value.abs()) + 1e-9);
+    let factor = libm::round(value / libm::exp10(power));
+    let power = ticks::minus(&power.to_string());
+    let factor = match factor {
+        1.0 => String::new(),
+        -1.0 => "−".to_owned(),
+        _ => format!("{}×", short(factor)),
+    };
+    format!("{factor}10^{{{power}}}")
 }
 
 /// Powers of ten; within few of them their double and five times as much, too.

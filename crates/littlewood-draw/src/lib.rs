@@ -66,7 +66,7 @@ pub use primitives::{Anchor, Image, Point, Range, Segment};
 pub use raster::{LEAST_SCALE, MOST_SCALE, check_scale, skia};
 pub use sheet::{
     Content, Entries, LEAST_WIDTH_MM, MOST_WIDTH_MM, POINTS_TO_A_MM, PRINT_POINTS, Sheet,
-    check_width,
+    check_width, seen,
 };
 pub use stroke::*;
 pub use words::{angle, marked, short};

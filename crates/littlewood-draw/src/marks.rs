@@ -165,7 +165,8 @@ impl Canvas {
             else {
                 return None;
             };
-            let inside = corners.map(|corner| winding(lines, corner.into()) != 0);
+            let steps = corners.map(|corner| corner.map(|side| side * STEPS));
+            let inside = steps.map(|corner| winding(lines, corner, Step::place) != 0);
             inside
                 .contains(&true)
                 .then(|| if inside == [true; 4] { *colour } else { PAPER })
@@ -251,15 +252,19 @@ impl Canvas {
     }
 }
 
-/// How often closed lines wind about a place in pixels.
-fn winding(lines: &[Vec<Step>], place: Point) -> i32 {
-    let [x, y] = place.row().map(|pixels| pixels * STEPS);
+/// How often closed lines, whose points are read so, wind about a place.
+pub(crate) fn winding<P: Copy>(
+    lines: &[Vec<P>],
+    place: [f64; 2],
+    read: impl Fn(P) -> [f64; 2],
+) -> i32 {
+    let [x, y] = place;
     let edges = lines
         .iter()
         .flat_map(|line| line.iter().zip(line.iter().cycle().skip(1)));
     edges
         .map(|(a, b)| {
-            let [a, b] = [a, b].map(|it| it.place());
+            let [a, b] = [a, b].map(|it| read(*it));
             let left = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
             i32::from(a[1] <= y && b[1] > y && left > 0.0)
                 - i32::from(a[1] > y && b[1] <= y && left < 0.0)

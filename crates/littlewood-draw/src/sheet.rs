@@ -1,8 +1,10 @@
 //! The paper: how wide a figure is, and where its parts stand on it.
 
+use crate::clip;
 use crate::error::DrawError;
-use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, View};
+use crate::figure::{Figure, Key, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, View, tilted};
 use crate::letters::width;
+use crate::primitives::Point;
 use crate::stroke::SMALL;
 
 /// Narrowest print, in millimetres.
@@ -65,6 +67,54 @@ pub struct Content {
     pub layers: Vec<Layer>,
     /// Texts.
     pub labels: Vec<Label>,
+}
+
+/// Those lines of a key whose mark is seen within the axes of some contents, the data turned by an
+/// angle against them.
+pub fn seen(entries: Entries, contents: &[Content], tilt: f64) -> Entries {
+    let is_seen = |(mark, _): &(Mark, String)| {
+        contents.iter().any(|content| {
+            let mut layers = content.layers.iter();
+            layers.any(|layer| is_sample(*mark, layer.mark) && content.shows(layer, tilt))
+        })
+    };
+    entries.into_iter().filter(is_seen).collect()
+}
+
+impl Content {
+    /// Whether something of a layer lies within the axes.
+    fn shows(&self, layer: &Layer, tilt: f64) -> bool {
+        let columns = [&self.x, &self.y].map(|axis| layer.series.column(&axis.column));
+        let [Some(across), Some(up)] = columns else {
+            return false;
+        };
+        let share = |row: &Vec<f64>| {
+            let place = tilted(tilt, Point::new(row[across], row[up]));
+            [self.x.share(place.x), self.y.share(place.y)]
+        };
+        let is_inside = |place: &[f64; 2]| place.iter().all(|share| (0.0..=1.0).contains(share));
+        layer.series.pieces.iter().any(|piece| {
+            let places: Vec<[f64; 2]> = piece.iter().map(share).collect();
+            // An area may hold all of the axes.
+            layer.mark.is_area() && !places.is_empty()
+                || places.iter().any(is_inside)
+                || matches!(layer.mark, Mark::Line(_))
+                    && !clip::line(&places, [[0.0; 2], [1.0; 2]]).is_empty()
+        })
+    }
+}
+
+/// Whether a mark of a key is a sample of one that is drawn: lines have their width in common only
+/// where it means something.
+fn is_sample(key: Mark, drawn: Mark) -> bool {
+    match (key, drawn) {
+        (Mark::Line(key), Mark::Line(line) | Mark::Arrow(line)) => {
+            key.colour == line.colour && key.dash == line.dash
+        }
+        (Mark::Line(key), Mark::Hoop(hoop)) => key.colour == hoop.rim.colour,
+        (Mark::Hoop(_), Mark::Hoop(_)) => true,
+        (key, drawn) => key == drawn,
+    }
 }
 
 /// Refuses a width in print, in millimetres, beyond [`LEAST_WIDTH_MM`] and [`MOST_WIDTH_MM`].
@@ -234,6 +284,7 @@ impl Sheet {
         content: Content,
         entries: Entries,
     ) -> Figure {
+        let entries = seen(entries, core::slice::from_ref(&content), 0.0);
         let (keys, room) = self.keys(entries, 6.0);
         let [left, inner] = self.span();
         let height = self.height(own_height);
@@ -252,31 +303,6 @@ impl Sheet {
             ABOVE + room + height + BELOW,
             vec![panel],
         )
-    }
-
-    /// A figure of two panels beside each other, on a narrow sheet one below the other, with its
-    /// keys above.
-    // Two of one kind in their order, as `figure` takes any number of panels.
-    pub fn pair(
-        &self,
-        name: &'static str,
-        title: &str,
-        caption: String,
-        own_height: f64,
-        contents: [Content; 2],
-        entries: Entries,
-    ) -> Figure {
-        let (keys, room) = self.keys(entries, 6.0);
-        let height = self.height(own_height);
-        let frames = self.frames(ABOVE + room, ABOVE, height);
-        let bottom = frames[1].top + height + BELOW;
-        let mut panels: Vec<Panel> = frames
-            .into_iter()
-            .zip(contents)
-            .map(|(frame, content)| Self::panel(frame, content))
-            .collect();
-        panels[0].keys = keys;
-        self.figure(name, title, caption, bottom, panels)
     }
 
     /// A figure of panels.

@@ -68,6 +68,18 @@ pub(crate) fn plane_window(hoop: &Hoop) -> Window {
     })
 }
 
+/// Greatest rate that is shown of Littlewood's hoop, whose rate has no bound.
+const LITTLEWOOD: f64 = 2.5;
+
+/// The window of a motion of Littlewood's hoop, a turn, by its first rate.
+pub(crate) fn littlewood_window(first_rate: f64) -> Window {
+    let most = f64::max(LITTLEWOOD, 1.08 * first_rate.abs());
+    Window {
+        x: [-PI, PI],
+        y: [-most, most],
+    }
+}
+
 /// The same for what shows curves of both rates: where these are far apart, so that the axis of
 /// rates is logarithmic, *f* and *n* have more of it.
 pub(crate) fn portrait_window(hoop: &Hoop) -> Window {

@@ -88,6 +88,14 @@ impl Effort {
         }
     }
 
+    /// About the microseconds that a transition takes.
+    pub(crate) const fn of_a_transition(self) -> f64 {
+        match self {
+            Self::Tables | Self::Direct | Self::Chains | Self::Bounces => 1.0,
+            Self::Simulated | Self::Resisted { .. } | Self::Long | Self::Slow => 6.0,
+        }
+    }
+
     /// The limits of such motions: what goes on is cut earlier.
     pub(crate) fn cut(self, limits: Limits, engine: &Engine) -> Limits {
         let most = match self {

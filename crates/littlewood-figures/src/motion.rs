@@ -5,7 +5,7 @@ use core::ops::Deref;
 
 use littlewood::tables::Dimension;
 use littlewood::{Hoop, Mode, OutcomeKind, Phase, Sample, Trajectory, Transition};
-use littlewood_draw::{Entries, HoopShape, Layer, Mark, Piece, Series, Stroke};
+use littlewood_draw::{Entries, HoopShape, Layer, Mark, Piece, Series, Stroke, short};
 use littlewood_style::width::BOLD;
 
 use crate::columns::{THETA, TIME, X, Y};
@@ -26,6 +26,9 @@ const TRANSITIONS: usize = 12;
 const CROWD: usize = 64;
 const SHOWN: usize = 24;
 const INSTANTS_OF_A_CROWD: f64 = 6_000.0;
+
+/// Fewest instants by which a curve that changes within a turn is seen.
+const INSTANTS_OF_A_TURN: f64 = 6.0;
 
 /// How much of a phase passes along an arrow of time.
 const SOON: f64 = 0.03;
@@ -127,6 +130,23 @@ impl Shown {
         };
         (shown < all).then(|| {
             format!("Shown is the beginning, to {time} = {at}, with {shown} of {all} transitions.{rests}")
+        })
+    }
+
+    /// What a figure notes of a motion whose turns are finer than its instants.
+    pub(crate) fn finer(&self) -> Option<String> {
+        let turns = self.phases().iter().filter_map(|phase| {
+            let samples = self.instants(phase);
+            let [from, to] = [samples.first()?, samples.last()?].map(|it| it.state.theta);
+            let turns = ((to - from) / TAU).abs();
+            (turns * INSTANTS_OF_A_TURN > samples.len() as f64).then_some(turns)
+        });
+        let turns = turns.fold(0.0, f64::max);
+        (turns > 0.0).then(|| {
+            let turns = short(libm::floor(turns));
+            format!(
+                "What changes within a turn is finer than drawn: up to {turns} turns in one phase."
+            )
         })
     }
 
@@ -237,11 +257,11 @@ fn horizon(motion: &Trajectory) -> f64 {
     if let Some(time) = cut {
         return time;
     }
+    if let Some(until) = motion.rest_shown_until() {
+        return f64::min(end, until);
+    }
     if end.is_finite() && motion.outcome().is_final() {
         return end;
-    }
-    if let Some(until) = motion.rest_shown_until() {
-        return until;
     }
     let rate = last.start().theta_rate.abs();
     let turns = if goes_on {

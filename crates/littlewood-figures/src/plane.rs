@@ -378,8 +378,9 @@ impl Portrait {
             ..=(libm::floor(self.window.x[1] / TAU) as i32);
         turns
             .flat_map(|turn| {
-                [1.0, -1.0]
-                    .map(|sign| Label::new("*N* < 0", &[TAU * f64::from(turn), sign * middle]))
+                [1.0, -1.0].map(|sign| {
+                    Label::new("*N* < 0", &[TAU * f64::from(turn), sign * middle]).of_area()
+                })
             })
             .collect()
     }

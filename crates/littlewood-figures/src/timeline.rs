@@ -4,7 +4,7 @@
 use littlewood::{Phase, Sample, Transition};
 use littlewood_draw::{
     Content, Entries, FAINT, Figure, Label, Layer, Panel, PanelFrame, PlotAxis, ROOM, Range, SMALL,
-    SOFT, Scale, Series, Sheet, Stroke, width,
+    SOFT, Scale, Series, Sheet, Stroke, seen, width,
 };
 use littlewood_style::Dash;
 use littlewood_style::width::FINE;
@@ -95,6 +95,7 @@ impl Shown {
             height,
         } = timeline;
         let [left, inner] = sheet.span();
+        let keys = seen(keys, &contents, 0.0);
         let beside_keys = if keys.is_empty() { 38.0 } else { 42.0 };
         let (keys, room) = sheet.keys(keys, 6.0);
         let names = self.names(contents[0].y.range.to, inner - ROOM[0]);
@@ -123,6 +124,7 @@ impl Shown {
         sheet
             .figure(name, title, caption, bottom + 6.0, panels)
             .noted(names.note)
+            .noted(self.finer())
             .noted(self.remark())
     }
 
@@ -175,31 +177,35 @@ impl Shown {
             top,
             wide,
         };
-        let (mut labels, has_all_phases) = self.names_of_phases(&across);
+        let (mut labels, phases) = self.names_of_phases(&across);
         let each = self.names_of_transitions(&across, usize::MAX);
         // Where they have no room, one that repeats itself stands once.
-        let (of_transitions, rows, has_all_transitions) = if each.2 {
+        let (of_transitions, rows, transitions) = if each.2 == 0 {
             each
         } else {
             self.names_of_transitions(&across, REPEATED)
         };
         labels.extend(of_transitions);
-        let which = match (has_all_phases, has_all_transitions) {
-            (true, true) => None,
-            (false, true) => Some("all phases"),
-            (true, false) => Some("all transitions"),
-            (false, false) => Some("all phases and transitions"),
-        };
+        let counted = [(phases, "phase"), (transitions, "transition")];
+        let without = counted.into_iter().filter(|(count, _)| *count > 0);
+        let without: Vec<String> = without
+            .map(|(count, what)| format!("{count} {what}{}", if count == 1 { "" } else { "s" }))
+            .collect();
         Names {
             labels,
             height: ROW * rows.saturating_sub(1) as f64,
-            note: which.map(|which| format!("There is no room for the names of {which}.")),
+            note: (!without.is_empty()).then(|| {
+                format!(
+                    "There is no room for the names of {}.",
+                    without.join(" and ")
+                )
+            }),
         }
     }
 
-    /// And whether all have one.
-    fn names_of_phases(&self, across: &Across<'_>) -> (Vec<Label>, bool) {
-        let (mut labels, mut are_all) = (Vec::new(), true);
+    /// And how many have none.
+    fn names_of_phases(&self, across: &Across<'_>) -> (Vec<Label>, usize) {
+        let (mut labels, mut without) = (Vec::new(), 0);
         for phase in self.phases() {
             let begin = phase.start().time;
             let end = f64::min(phase.end_time(), self.until);
@@ -208,23 +214,23 @@ impl Shown {
             if room > width(text, SMALL) + BETWEEN {
                 labels.push(across.name(text, 0.5 * (begin + end)).shifted(0.0, -11.0));
             } else {
-                are_all &= begin >= self.until;
+                without += usize::from(begin < self.until);
             }
         }
-        (labels, are_all)
+        (labels, without)
     }
 
     /// Of bounces only where there is room beside all others, and of a name that repeats itself more
-    /// often than `most` the first, with how many there are; with the number of rows, and whether all
-    /// have one.
-    fn names_of_transitions(&self, across: &Across<'_>, most: usize) -> (Vec<Label>, usize, bool) {
+    /// often than `most` the first, with how many there are; with the number of rows, and how many
+    /// have none.
+    fn names_of_transitions(&self, across: &Across<'_>, most: usize) -> (Vec<Label>, usize, usize) {
         let Across { pixels, wide, .. } = *across;
         // More than these cannot be told apart in any number of rows.
         let are_many = self.passed().count() as f64 > ROWS as f64 * wide / NAME;
         let mut taken: Vec<Vec<[f64; 2]>> = vec![Vec::new(); if are_many { 1 } else { ROWS }];
         let (bounces, others): (Vec<&Transition>, Vec<&Transition>) =
             self.passed().partition(|transition| transition.is_bounce());
-        let (mut labels, mut are_all) = (Vec::new(), true);
+        let (mut labels, mut without) = (Vec::new(), 0);
         let mut counted: Vec<&str> = Vec::new();
         for transition in others.into_iter().chain(bounces) {
             let (at, name) = (transition.time(), transition.cause.label());
@@ -250,7 +256,7 @@ impl Shown {
                     .all(|other| ends[1] < other[0] || other[1] < ends[0])
             };
             let Some(row) = taken.iter().position(is_free) else {
-                are_all = false;
+                without += if count > most { count } else { 1 };
                 continue;
             };
             taken[row].push([middle - 0.5 * room, middle + 0.5 * room]);
@@ -258,7 +264,7 @@ impl Shown {
             labels.push(label.shifted(middle - pixels(at), -27.0 - ROW * row as f64));
         }
         let rows = taken.iter().filter(|row| !row.is_empty()).count();
-        (labels, rows, are_all)
+        (labels, rows, without)
     }
 }
 

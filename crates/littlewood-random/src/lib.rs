@@ -483,7 +483,9 @@ pub fn boundary_rate(plane: &PhasePlane, theta: f64, which: usize) -> Option<f64
 /// The largest value that a quantity may have; of one without a bound a large one.
 fn largest(quantity: Quantity) -> f64 {
     let bound = |bound: &Bound| match *bound {
-        Bound::AtMostConstant(most) | Bound::MagnitudeAtMost(most) => Some(most),
+        Bound::AtMostConstant(most)
+        | Bound::MagnitudeAtMost(most)
+        | Bound::ResolvedAtMost(most) => Some(most),
         Bound::MagnitudeBelow(bound) => Some(bound.next_down()),
         Bound::Finite
         | Bound::Positive

@@ -81,7 +81,7 @@ pub use file::{open_file, read_file};
 pub use grid::Grid;
 pub use options::{CHUNK_POINTS, MOST_CHUNK_POINTS, MOST_CHUNKS, Options, Progress};
 pub use picture::{Picture, PictureError, PictureSize, Shade};
-pub use regions::{Ask, Boundary, FOR_A_POINT, Lattice, Place, Region, Regions};
+pub use regions::{Ask, Boundary, FOR_A_POINT, Lattice, MIXED, Place, Region, Regions};
 pub use run::Report;
 pub use starts::{ListError, StartList};
 pub use store::StoreError;

@@ -2,7 +2,7 @@
 
 use core::convert::Infallible;
 
-use littlewood_sweep::{Lattice, Place, Region, Regions};
+use littlewood_sweep::{Lattice, MIXED, Place, Region, Regions};
 
 /// How closely boundaries are located.
 const WIDTH: f64 = 1e-6;
@@ -190,4 +190,55 @@ fn one_key_is_the_whole_plane() {
         }]
     );
     assert!(found.boundaries.is_empty());
+}
+
+/// Keys that alternate, or are strewn among others, have one key; boundaries and narrow bands have
+/// their own.
+#[test]
+fn what_changes_from_place_to_place_is_mixed() {
+    let hash = |x: f64, y: f64| {
+        let bits = (x.to_bits() ^ y.to_bits().rotate_left(17)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        (bits ^ (bits >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 40
+    };
+    let few = |[x, y]: Place| u64::from(hash(x, y) % 5 == 0);
+    let half = |[x, y]: Place| u64::from(hash(x, y) % 2 == 0);
+    // But for some places on the border, which have fewer neighbours.
+    for noise in [&few as &dyn Fn(Place) -> u64, &half] {
+        let mut lattice = Lattice::even(41, 31, noise);
+        lattice.mix();
+        let mixed = lattice.keys.iter().filter(|key| **key == MIXED).count();
+        assert!(100 * mixed > 97 * lattice.keys.len(), "{mixed}");
+    }
+    // A circle, a diagonal band as narrow as two cells, and a corner of noise beside them.
+    let clear = |[x, y]: Place| {
+        let is_round = (x - 0.3) * (x - 0.3) + (y - 0.4) * (y - 0.4) < 0.04;
+        u64::from(is_round) + 2 * u64::from((x - y - 0.2).abs() < 0.04)
+    };
+    let known = Lattice::even(61, 61, clear);
+    let mut mixed = known.clone();
+    mixed.mix();
+    assert_eq!(mixed.keys, known.keys);
+    let corner = |place: Place| {
+        if place[0] > 0.7 && place[1] > 0.7 {
+            half(place)
+        } else {
+            0
+        }
+    };
+    let mut lattice = Lattice::even(61, 61, corner);
+    lattice.mix();
+    let mut ask =
+        |places: &[Place]| Ok::<_, ()>(Some(places.iter().map(|it| corner(*it)).collect()));
+    let found = Regions::find(&lattice, 1e-6, &mut ask).expect("places are answered");
+    let area = |key: u64| {
+        let of_key = found.regions.iter().find(|region| region.key == key);
+        of_key.map_or(0.0, |region| region.area)
+    };
+    // To within the half side of the square by which noise is known, all around.
+    assert!(
+        (area(MIXED).sqrt() - 0.3).abs() < 3.5 / 60.0,
+        "{}",
+        area(MIXED)
+    );
+    assert!((area(MIXED) + area(0) - 1.0).abs() < 0.005);
 }

@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use littlewood::tables::Class;
 use littlewood::theory::Window;
-use littlewood::{Engine, Hoop, Limits, Proof, Start};
+use littlewood::{Engine, Hoop, Limits, Mode, Proof, Start, Summary};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::hops;
@@ -117,6 +117,15 @@ impl OutcomeMap {
         }
     }
 
+    /// What becomes of the starts of rows `from..to`, and when: of each its class, and the times of
+    /// its first slip, of its lift-off and of its end. NaN where there is none. The end is the first
+    /// landing, or the start of what lasts for ever.
+    pub fn events(&self, from: usize, to: usize) -> Vec<f64> {
+        let rows = from..to.min(self.side);
+        rows.flat_map(|y| (0..self.side).flat_map(move |x| self.events_at(x, y)))
+            .collect()
+    }
+
     /// The codes of the classes, or the numbers of landings, of all cells, each as the nearest
     /// start of this level has it.
     pub fn classes(&self, stride: usize) -> Vec<u8> {
@@ -172,18 +181,31 @@ impl OutcomeMap {
             > 1
     }
 
+    fn class_of(&self, start: Start) -> Class {
+        Class::of(&self.decided(start))
+    }
+
     /// The class is decided where the body first leaves the plane, so that bounces need not be
     /// followed for it. Only a jam comes before that.
-    fn class_of(&self, start: Start) -> Class {
-        let class = |engine: &Engine| {
+    fn decided(&self, start: Start) -> Summary {
+        let summary = |engine: &Engine| {
             engine
                 .summary(start, self.limits)
-                .map_or(Class::Invalid, |summary| Class::of(&summary))
+                .unwrap_or(Summary::INVALID)
         };
-        match self.until_landing.as_ref().map(class) {
-            Some(decided) if decided != Class::Painleve => decided,
-            Some(_) | None => class(&self.engine),
+        match self.until_landing.as_ref().map(summary) {
+            Some(decided) if Class::of(&decided) != Class::Painleve => decided,
+            Some(_) | None => summary(&self.engine),
         }
+    }
+
+    fn events_at(&self, x: usize, y: usize) -> [f64; 4] {
+        let summary = self.decided(self.start(x, y));
+        // The summary has the first slip out of rolling; some slip from the start.
+        let slips = matches!(summary.sequence.first(), Some((Mode::Sliding, _)));
+        let slip = if slips { 0.0 } else { summary.first_slip_time };
+        let code = f64::from(Class::of(&summary).code());
+        [code, slip, summary.lift_off_time, summary.end.time]
     }
 }
 

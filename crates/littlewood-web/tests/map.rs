@@ -4,7 +4,7 @@ use core::f64::consts::PI;
 
 use littlewood::cases::{CASES, find_case};
 use littlewood::tables::{Class, Setup};
-use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, RestitutionLaw, Start};
+use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, Proof, RestitutionLaw, Start};
 use littlewood_sweep::Workers;
 use littlewood_web::{HOP_CLASSES, MapSubject, OutcomeMap, Problem, class_of, hop_classes};
 
@@ -347,4 +347,41 @@ fn many_counts_are_in_classes_of_about_equal_size() {
             .all(|pair| pair[0][0] <= pair[0][1] && pair[0][1] + 1 == pair[1][0])
     );
     assert_eq!((uneven[0][0], uneven[HOP_CLASSES - 1][1]), (1, 40));
+}
+
+#[test]
+fn the_events_of_a_map_are_those_of_its_motions() {
+    const SIDE: usize = 12;
+    let parameters = HoopParameters::thin(0.25).with_friction(0.5, 0.4);
+    for e in [None, Some(0.5)] {
+        let bouncing = e.map(|e| parameters.with_restitution(e, RestitutionLaw::Energetic));
+        let problem = of_setup(bouncing.unwrap_or(parameters), Start::default());
+        let map = OutcomeMap::new(&problem, 4.0, SIDE, MapSubject::Outcome);
+        let events: Vec<f64> = (0..SIDE).flat_map(|row| map.events(row, row + 1)).collect();
+        let classes = codes(&problem, 4.0, SIDE, MapSubject::Outcome);
+        let hoop = Hoop::new(parameters).unwrap();
+        let near = |a: f64, b: f64| a.is_nan() && b.is_nan() || (a - b).abs() < 1e-8;
+        for (cell, code) in classes.iter().enumerate() {
+            let [found, slip, lift_off, end] = events[4 * cell..4 * cell + 4] else {
+                panic!("four numbers of each start");
+            };
+            assert_eq!(found, f64::from(*code), "cell {cell}");
+            // Where motions of a map are long they are followed until the proof that they stay.
+            let proof = match class(*code) {
+                Class::InContact => Proof::Contact,
+                _ => Proof::default(),
+            };
+            let limits = Limits::default().with_transitions(200).with_proof(proof);
+            let motion = hoop.simulate(start_of(cell, SIDE), limits).unwrap();
+            let first = |mode| {
+                let mut phases = motion.phases().iter();
+                let phase = phases.find(|phase| phase.mode() == mode);
+                phase.map_or(f64::NAN, |phase| phase.start().time)
+            };
+            assert!(near(slip, first(Mode::Sliding)), "cell {cell}");
+            assert!(near(lift_off, first(Mode::Flight)), "cell {cell}");
+            let last = motion.outcome().state().time;
+            assert!(near(end, last), "cell {cell}: {end}, {last}");
+        }
+    }
 }

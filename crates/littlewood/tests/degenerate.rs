@@ -800,7 +800,11 @@ fn glides_from_tiny_numbers_are_those_of_420_digits() {
             (ours - theirs).abs() <= 1e-10 * size.max(theirs.abs()) + f64::from_bits(4)
         };
         // Times and angles are as small as the start: the top has no scale.
-        let scale = if end.theta.abs() < 1e-40 { 0.0 } else { 1e-3 };
+        let scale = if end.theta.abs() < 1e-40 {
+            0.0
+        } else {
+            1e-3 * offset.sqrt()
+        };
         let is_same = phase.direction().map(SlipDirection::sign)
             == Some(number(&glide["direction"]))
             && glide["cause"] == cause

@@ -2,7 +2,9 @@
 //! inertia that are next to none.
 #![allow(clippy::panic)] // a failed expectation
 
+use crate::common::instants;
 use crate::on_limits::Contact;
+use littlewood::derivatives::differentiable;
 use littlewood::modes::{Recurrence, SlideLimit};
 use littlewood::theory::{Body, Heavy};
 use littlewood::{
@@ -202,6 +204,67 @@ fn a_hoop_that_is_all_but_massless_is_refused() {
         );
     }
     assert!(Hoop::new(HoopParameters::thin(0.0).with_inertia(1e-60)).is_ok());
+}
+
+/// A massless hoop with the particle next to its centre turns as 1/√ℓ̂, and its derivatives are as
+/// large as 1/ℓ̂²: down to the least offset all are numbers, and below it a hoop is refused.
+#[test]
+fn massless_hoops_of_any_offset_leave_no_number_that_is_none() {
+    let quantities = Vec::from_iter(differentiable(false));
+    let mut refused = 0;
+    for number in 0..150 {
+        let mut draw = Draw::of_case(19, 0, number);
+        let decades = if draw.comes(0.2) { -323.3 } else { -60.0 };
+        let offset = draw.of_any_size([decades, 0.0]);
+        let mu_s = draw.between([0.0, 1.5]);
+        let resistance = match draw.below(3) {
+            0 => 0.0,
+            1 => offset * draw.between([0.0, 2.0]),
+            _ => draw.between([0.0, 1.0]),
+        };
+        let hoop = Hoop::new(
+            HoopParameters::thin(0.0)
+                .with_offset(offset)
+                .with_friction(mu_s, mu_s * draw.share())
+                .with_slope(draw.one_of(&[0.0, 0.3, -1.2]))
+                .with_rolling_resistance(resistance),
+        );
+        let hoop = match hoop {
+            Ok(hoop) => hoop,
+            Err(error) => {
+                let ParameterError::NearlyCentred { offset } = error else {
+                    panic!("{error}")
+                };
+                assert!(offset < 1e-60 && error.to_string().contains("less than 1e-60"));
+                refused += 1;
+                continue;
+            }
+        };
+        let fall = offset.sqrt().recip().min(1e6);
+        let rate = draw.one_of(&[0.0, 1.0, -fall, 0.4 * fall]) * draw.share();
+        let slip = draw.one_of(&[0.0, -rate, 1.0]) * draw.share();
+        let start = Start::at(draw.between([-3.1, 3.1]), rate).with_slip(slip);
+        let limits = Limits::until(20.0).with_transitions(6);
+        let motion = hoop.simulate(start, limits).expect("a valid start");
+        let samples = motion
+            .phases()
+            .iter()
+            .flat_map(|phase| instants(phase.duration(), 10).map(|elapsed| phase.sample(elapsed)));
+        let derivatives = motion.derivatives(&quantities).expect("quantities");
+        let seen = format!(
+            "{:?} {:?} {:?} {:?} {:?} {:?}",
+            hoop.classify(start).expect("a valid start"),
+            motion.outcome(),
+            motion.transitions(),
+            Vec::from_iter(samples),
+            derivatives.transitions(),
+            derivatives.outcome(),
+        );
+        assert!(!seen.contains("NaN"), "{hoop:?} {start:?}: {seen}");
+        let digits = hoop.digits(start, limits).expect("a valid start");
+        assert_eq!(digits.len(), motion.transitions().len());
+    }
+    assert!(refused > 10, "{refused}");
 }
 
 /// With μs = 1e9 rolling gives way where N is 1e-19, so that rounding tells the wrong side of the
@@ -503,7 +566,7 @@ fn a_slide_for_ever_stays_on_its_orbit_when_its_angle_has_no_digits_left() {
 /// A massless hoop glides with w = ½ ℓ² sin²θ θ′² + ℓ cos θ (3.18, corrected), however small ℓ is.
 #[test]
 fn a_glide_with_next_to_no_lever_conserves_the_energy_of_the_particle() {
-    for offset in [1e-100_f64, 1e-155, 1e-200, 1e-300] {
+    for offset in [1e-9_f64, 1e-30, 1e-59, 1e-60] {
         let parameters = HoopParameters::thin(0.0)
             .with_inertia(0.0)
             .with_offset(offset);

@@ -453,6 +453,29 @@ const SECTION: f64 = 0.0;
 
 /// The rotations of the reference: the square of the rate over the bottom of the turn, the period
 /// and the contraction of the periodic rotation down a slope.
+/// With so much static friction the slip begins where N is next to nothing beside its terms: without
+/// kinetic friction the momentum along the plane stays what it is all the same.
+#[test]
+fn a_slip_at_huge_static_friction_without_kinetic_keeps_the_momentum() {
+    for resistance in [8.6e-11, 1e-3, 0.1] {
+        let hoop = HoopParameters::thin(4.9)
+            .with_offset(0.51)
+            .with_inertia(2.0)
+            .with_friction(2.4e8, 0.0)
+            .with_rolling_resistance(resistance);
+        let hoop = Hoop::new(hoop).expect("a valid hoop");
+        let motion = simulate(&hoop, Start::at(2.9, 1e6), Limits::until(1e-5));
+        let [slip, next, ..] = motion.transitions() else {
+            panic!("{motion:?}");
+        };
+        assert_eq!(slip.cause, Cause::Slip);
+        let along =
+            |state: State| state.slip - (1.0 + hoop.h() * state.theta.cos()) * state.theta_rate;
+        let (before, after) = (along(slip.before), along(next.before));
+        assert!((after / before - 1.0).abs() < 1e-14, "{before} {after}");
+    }
+}
+
 #[test]
 fn rotations_downhill_approach_the_periodic_one() {
     let data: Value = serde_json::from_str(REFERENCE).expect("evidence/reference/resistance.json");

@@ -6,6 +6,10 @@ engine: Box2D 2.3
 contact: rigid
 settings: default careful
 requires: Box2D==2.3.10
+limits: own_turn=1.57/step turn=1.57/step friction=root force=1.00,+0 rolling=none
+  rolling_small=none rolling_slow=none
+limits default: own_speed=2/step speed=2/step sleep=0.01 bounce=1.05
+limits careful: own_speed=0.2/step speed=0.2/step bounce=0.14 radius=10
 docs: https://box2d.org/documentation/
 
 default: R is 1 m; 8 velocity and 3 position iterations, as its manual suggests.
@@ -17,26 +21,32 @@ of 0.005 m. An edge has a skin of 0.01 m: it lies lower by that.
 """
 
 from adapter import main, stepped
-from Box2D import b2CircleShape, b2EdgeShape, b2FixtureDef, b2MassData, b2World
+from Box2D import b2CircleShape, b2ContactListener, b2EdgeShape, b2FixtureDef, b2MassData, b2World
 
-SETTINGS = {"default": (1.0, 8, 3), "careful": (10.0, 100, 100)}
+SETTINGS = {"default": (None, 8, 3), "careful": (10.0, 100, 100)}
 SKIN = 0.01
 
 
 def simulate(case, step, setting):
     """Yield rows."""
-    size, *iterations = SETTINGS[setting]
+    radius, *iterations = SETTINGS[setting]
+    radius = radius or case.radius
+    size = radius / case.radius
     along, away = case.gravity
-    world = b2World(gravity=(along * size, away * size), doSleep=False)
+    world = b2World(gravity=(along * size, away * size), doSleep=case.is_untouched)
     mu = case.one_coefficient()
-    edge = b2EdgeShape(vertices=[(-100.0 * size, -SKIN), (100.0 * size, -SKIN)])
-    world.CreateStaticBody(fixtures=b2FixtureDef(shape=edge, friction=mu))
+    edge = b2EdgeShape(vertices=[(-100.0 * radius, -SKIN), (100.0 * radius, -SKIN)])
+    friction = case.friction_of_plane(mu)
+    world.CreateStaticBody(fixtures=b2FixtureDef(shape=edge, friction=friction))
     # The origin of the body is the geometric centre.
     hoop = world.CreateDynamicBody(
-        position=(0.0, size),
+        position=(0.0, radius),
         angle=case.theta,
         fixtures=b2FixtureDef(
-            shape=b2CircleShape(radius=size), density=1.0, friction=mu, restitution=case.restitution
+            shape=b2CircleShape(radius=radius),
+            density=1.0,
+            friction=mu,
+            restitution=case.restitution,
         ),
     )
     # Box2D takes the inertia about the origin of the body.
@@ -46,9 +56,22 @@ def simulate(case, step, setting):
     hoop.linearVelocity, hoop.angularVelocity = (vx * size, vy * size), case.theta_rate
 
     def row(time):
-        return time, hoop.position.x / size, hoop.position.y / size, hoop.angle
+        place = hoop.position.x / size, hoop.position.y / size, hoop.angle
+        vx, vy = hoop.linearVelocity
+        rates = case.centre_rates(hoop.angle, vx / size, vy / size, hoop.angularVelocity)
+        return case.forced((time, *place, *rates), lambda: sum(pushed) / step / size)
+
+    class Listener(b2ContactListener):
+        def PostSolve(self, contact, impulse):
+            pushed[:] = impulse.normalImpulses
+
+    pushed = []
+    listener = Listener()  # the world keeps no reference to it
+    if case.has_force:
+        world.contactListener = listener
 
     def advance():
+        pushed.clear()
         world.Step(step, *iterations)
         world.ClearForces()
 

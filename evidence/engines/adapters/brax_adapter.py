@@ -40,10 +40,10 @@ SCENE = """
   <default><geom condim="3" friction="{mu!r} 0 0"/></default>
   <worldbody>
     <geom type="plane" size="50 50 1" contype="1" conaffinity="1"/>
-    <body pos="0 0 1">
+    <body pos="0 0 {radius!r}">
       <inertial pos="0 0 {h!r}" mass="{mass!r}" diaginertia="{inertia!r} {inertia!r} {inertia!r}"/>
       <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint type="hinge"
-      axis="0 -1 0"/> <geom type="sphere" size="1" contype="1" conaffinity="1"/>
+      axis="0 -1 0"/> <geom type="sphere" size="{radius!r}" contype="1" conaffinity="1"/>
     </body>
   </worldbody>
 </mujoco>
@@ -55,7 +55,8 @@ def run_of(case, step, setting):
     case.without_restitution()
     along, away = case.gravity
     given = {"step": step, "along": along, "away": away, "mu": case.one_coefficient(), "h": case.h}
-    system = mjcf.loads(SCENE.format(**given, mass=case.mass, inertia=case.inertia))
+    body = {"mass": case.mass, "inertia": case.inertia, "radius": case.radius}
+    system = mjcf.loads(SCENE.format(**given, **body))
     pipeline = importlib.import_module(f"brax.{setting}.pipeline")
     none = jnp.zeros(system.act_size())
 
@@ -66,18 +67,18 @@ def run_of(case, step, setting):
         )
 
     start = [0.0, 0.0, case.theta], [case.x_rate, case.gap_rate, case.theta_rate]
-    return Run(case, step, start, begin, lambda state: state.q)
+    return Run(case, step, start, begin, lambda state: (state.q, state.qd))
 
 
 def simulate(case, step, setting):
     """Yield rows."""
     rows = run_of(case, step, setting).ready()
-    yield 0.0, 0.0, 1.0, case.theta
+    yield 0.0, 0.0, case.radius, case.theta, case.x_rate, case.gap_rate, case.theta_rate
     turns = case.theta
-    for time, (x, height, theta) in rows():
+    for time, ((x, height, theta), rates) in rows():
         # Two of the pipelines know an angle up to whole turns.
         turns += math.remainder(theta - turns, math.tau)
-        yield time, x, 1.0 + height, turns
+        yield time, x, case.radius + height, turns, *rates
 
 
 if __name__ == "__main__":

@@ -4,6 +4,11 @@ engine: Bullet
 contact: rigid
 settings: default careful
 requires: numpy==2.4.6 pybullet==3.2.7
+rolling: separate limits; its coefficient, a length, is χ R, times the friction of the plane.
+limits: own_turn=100 turn=100 own_speed=100 speed=100 damping=0.084,0.078 friction=product
+  rolling=1 rolling_small=1 rolling_slow=1
+limits default: bounce=never force=0.00,+0
+limits careful: force=1.00,+0
 docs: https://pybullet.org/
 
 The motion stays plane by symmetry.
@@ -34,24 +39,25 @@ def simulate(case, step, setting):
             restitutionVelocityThreshold=0.0,
         )
     plane = bullet.createMultiBody(0.0, bullet.createCollisionShape(bullet.GEOM_PLANE))
-    bullet.changeDynamics(plane, -1, lateralFriction=1.0, restitution=1.0)
+    bullet.changeDynamics(plane, -1, lateralFriction=case.friction_of_plane(1.0), restitution=1.0)
     hoop = bullet.createMultiBody(
         case.mass,
-        bullet.createCollisionShape(bullet.GEOM_SPHERE, radius=1.0),
+        bullet.createCollisionShape(bullet.GEOM_SPHERE, radius=case.radius),
         baseInertialFramePosition=(0.0, 0.0, case.h),
     )
     bullet.changeDynamics(
         hoop,
         -1,
         lateralFriction=case.one_coefficient(),
-        rollingFriction=0.0,
+        rollingFriction=case.rolling_resistance,
         spinningFriction=0.0,
         restitution=case.restitution,
-        linearDamping=0.0,
-        angularDamping=0.0,
         localInertiaDiagonal=(case.inertia,) * 3,
-        activationState=bullet.ACTIVATION_STATE_DISABLE_SLEEPING,
     )
+    if not case.is_untouched:
+        awake = bullet.ACTIVATION_STATE_DISABLE_SLEEPING
+        bullet.changeDynamics(hoop, -1, linearDamping=0.0, angularDamping=0.0)
+        bullet.changeDynamics(hoop, -1, activationState=awake)
     if setting == "careful" and case.restitution > 0.0:
         bullet.setPhysicsEngineParameter(erp=0.0, contactERP=0.0)
         bullet.changeDynamics(hoop, -1, contactProcessingThreshold=0.0)
@@ -68,10 +74,15 @@ def simulate(case, step, setting):
         (x, _, y), (_, b, _, d) = bullet.getBasePositionAndOrientation(hoop)
         turned = 2.0 * math.atan2(-b, d)
         theta += math.remainder(turned - theta, math.tau)
-        return case.row(time, x, y, theta)
+        (vx, _, vy), (_, turning, _) = bullet.getBaseVelocity(hoop)
+
+        def force():
+            return sum(contact[9] for contact in bullet.getContactPoints(hoop, plane))
+
+        return case.forced(case.row(time, x, y, theta, vx, vy, -turning), force)
 
     yield from stepped(case, step, bullet.stepSimulation, row)
 
 
 if __name__ == "__main__":
-    main(simulate)
+    main(simulate, has_rolling_friction=True)

@@ -21,7 +21,7 @@ import dartpy as dart
 import numpy as np
 from adapter import main, stepped
 
-SIZES = {"default": 1.0, "careful": 10.0}
+RADII = {"default": None, "careful": 10.0}
 THICK = 10.0
 
 
@@ -37,7 +37,8 @@ def shaped(body, shape, friction, restitution):
 
 def simulate(case, step, setting):
     """Yield rows."""
-    size, mu = SIZES[setting], case.one_coefficient()
+    radius, mu = RADII[setting] or case.radius, case.one_coefficient()
+    size = radius / case.radius
     world = dart.simulation.World()
     along, away = case.gravity
     world.setGravity([along * size, 0.0, away * size])
@@ -49,25 +50,34 @@ def simulate(case, step, setting):
     plane = dart.dynamics.Skeleton("plane")
     _, ground = plane.createWeldJointAndBodyNodePair()
     box = shaped(
-        ground, dart.dynamics.BoxShape([200.0 * size, 200.0 * size, THICK * size]), mu, 1.0
+        ground,
+        dart.dynamics.BoxShape([200.0 * radius, 200.0 * radius, THICK * radius]),
+        case.friction_of_plane(mu),
+        1.0,
     )
-    box.setRelativeTranslation([0.0, 0.0, -0.5 * THICK * size])
+    box.setRelativeTranslation([0.0, 0.0, -0.5 * THICK * radius])
     hoop = dart.dynamics.Skeleton("hoop")
     joint, body = hoop.createPlanarJointAndBodyNodePair()
     # Its coordinates are z, x and the angle about y, which is clockwise where x is to the right and
     # z upwards.
     joint.setZXPlane()
-    shaped(body, dart.dynamics.SphereShape(size), mu, case.restitution)
+    shaped(body, dart.dynamics.SphereShape(radius), mu, case.restitution)
     centre = np.array([0.0, 0.0, case.h * size])
     body.setInertia(dart.dynamics.Inertia(case.mass, centre, case.inertia * size**2 * np.eye(3)))
     world.addSkeleton(plane)
     world.addSkeleton(hoop)
-    hoop.setPositions([size, 0.0, -case.theta])
+    hoop.setPositions([radius, 0.0, -case.theta])
     hoop.setVelocities([case.gap_rate * size, case.x_rate * size, -case.theta_rate])
 
     def row(time):
         height, x, turned = hoop.getPositions()
-        return time, x / size, height / size, -turned
+        rise, along, turning = hoop.getVelocities()
+        there = (time, x / size, height / size, -turned, along / size, rise / size, -turning)
+        return case.forced(there, force)
+
+    def force():
+        contacts = world.getLastCollisionResult().getContacts()
+        return sum(abs(contact.force[2]) for contact in contacts) / size
 
     yield from stepped(case, step, world.step, row)
 

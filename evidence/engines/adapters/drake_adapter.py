@@ -53,13 +53,19 @@ def simulate(case, step, setting):
     AddContactMaterial(properties=properties, friction=friction, **MATERIALS[setting])
     if setting != "default":
         plant.set_stiction_tolerance(1e-5)
+    other = case.friction_of_plane(case.mu_k)
+    ground = properties
+    if other != case.mu_k:
+        ground, rubs = ProximityProperties(), CoulombFriction(other, other)
+        AddContactMaterial(properties=ground, friction=rubs, **MATERIALS[setting])
     plant.RegisterCollisionGeometry(
-        plant.world_body(), RigidTransform(), HalfSpace(), "plane", properties
+        plant.world_body(), RigidTransform(), HalfSpace(), "plane", ground
     )
-    plant.RegisterCollisionGeometry(hoop, RigidTransform(), Sphere(1.0), "rim", properties)
+    rim = Sphere(case.radius)
+    plant.RegisterCollisionGeometry(hoop, RigidTransform(), rim, "rim", properties)
     # The joint's x and y are the world's x and z, so that it turns counterclockwise about -y.
     axes = RigidTransform(
-        RotationMatrix(np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])), [0.0, 0.0, 1.0]
+        RotationMatrix(np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])), [0.0, 0.0, case.radius]
     )
     own = RigidTransform(axes.rotation())
     base = plant.AddFrame(FixedOffsetFrame("base", plant.world_frame(), axes))
@@ -85,7 +91,13 @@ def simulate(case, step, setting):
 
     def row(time):
         x, height, theta = plant.GetPositions(context)
-        return time, x, 1.0 + height, theta
+        there = (time, x, case.radius + height, theta, *plant.GetVelocities(context))
+        return case.forced(there, force)
+
+    def force():
+        results = plant.get_contact_results_output_port().Eval(context)
+        pairs = range(results.num_point_pair_contacts())
+        return sum(abs(results.point_pair_contact_info(i).contact_force()[2]) for i in pairs)
 
     yield from stepped(case, step, advance, row)
 

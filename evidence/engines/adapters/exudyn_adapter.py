@@ -41,7 +41,7 @@ def simulate(case, step, setting):
             case.mass, about_reference, com=np.array([0.0, 0.0, case.h])
         ),
         nodeType=exu.NodeType.RotationEulerParameters,
-        referencePosition=[0.0, 0.0, 1.0],
+        referencePosition=[0.0, 0.0, case.radius],
         referenceRotationMatrix=utilities.RotationMatrixY(-case.theta),
         initialVelocity=[case.x_rate, 0.0, case.gap_rate],
         initialAngularVelocity=[0.0, -case.theta_rate, 0.0],
@@ -56,7 +56,7 @@ def simulate(case, step, setting):
         utilities.ObjectContactSphereTriangle(
             markerNumbers=markers,
             nodeNumber=history,
-            sphereRadius=1.0,
+            sphereRadius=case.radius,
             trianglePoints=exu.Vector3DList([[-FAR, -FAR, 0.0], [FAR, -FAR, 0.0], [0.0, FAR, 0.0]]),
             dynamicFriction=mu,
             frictionProportionalZone=zone,
@@ -66,16 +66,17 @@ def simulate(case, step, setting):
             impactModel=2 if bounces else 0,
         )
     )
-    place, turn = (
+    kinds = exu.OutputVariableType
+    place, turn, velocity, turning = (
         mbs.AddSensor(
             utilities.SensorBody(bodyNumber=hoop, storeInternal=True, outputVariableType=kind)
         )
-        for kind in (exu.OutputVariableType.Position, exu.OutputVariableType.RotationMatrix)
+        for kind in (kinds.Position, kinds.RotationMatrix, kinds.Velocity, kinds.AngularVelocity)
     )
     mbs.Assemble()
     settings = exu.SimulationSettings()
     settings.solutionSettings.writeSolutionToFile = False
-    settings.solutionSettings.sensorsWritePeriod = max(step, SHORTEST)
+    settings.solutionSettings.sensorsWritePeriod = max(step, SHORTEST * case.second)
     settings.timeIntegration.numberOfSteps, settings.timeIntegration.endTime = (
         round(case.until / step),
         case.until,
@@ -83,13 +84,16 @@ def simulate(case, step, setting):
     settings.timeIntegration.verboseMode = 0
     solvers = exu.DynamicSolverType
     solver = solvers.GeneralizedAlpha if setting == "default" else solvers.TrapezoidalIndex2
-    yield 0.0, 0.0, 1.0, case.theta
+    yield 0.0, 0.0, case.radius, case.theta, case.x_rate, case.gap_rate, case.theta_rate
     mbs.SolveDynamic(settings, solverType=solver)
-    places, turns = (np.array(mbs.GetSensorStoredData(sensor)) for sensor in (place, turn))
+    places, turns, velocities, rates = (
+        np.array(mbs.GetSensorStoredData(sensor)) for sensor in (place, turn, velocity, turning)
+    )
     angles = np.unwrap(np.arctan2(-turns[:, 3], turns[:, 9]))
     angles += case.theta - angles[0]
-    for (time, x, _, height), angle in zip(places[1:], angles[1:], strict=True):
-        yield time, x, height, angle
+    columns = places[1:], angles[1:], velocities[1:], rates[1:]
+    for (time, x, _, height), angle, (_, vx, _, vy), rate in zip(*columns, strict=True):
+        yield time, x, height, angle, vx, vy, -rate[2]
 
 
 if __name__ == "__main__":

@@ -44,10 +44,10 @@ import genesis
 from adapter import main, stepped
 
 MODEL = """
-<mujoco><worldbody><body pos="0 0 1">
+<mujoco><worldbody><body pos="0 0 {radius!r}">
   <inertial pos="0 0 {h!r}" mass="{mass!r}" diaginertia="{inertia!r} {inertia!r} {inertia!r}"/>
   <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint type="hinge" axis="0 -1
-  0"/> <geom type="sphere" size="1"/>
+  0"/> <geom type="sphere" size="{radius!r}"/>
 </body></worldbody></mujoco>
 """
 
@@ -66,7 +66,8 @@ def simulate(case, step, _):
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "hoop.xml"
         path.write_text(
-            MODEL.format(h=case.h, mass=case.mass, inertia=case.inertia), encoding="utf-8"
+            MODEL.format(h=case.h, mass=case.mass, inertia=case.inertia, radius=case.radius),
+            encoding="utf-8",
         )
         hoop = scene.add_entity(genesis.morphs.MJCF(file=str(path)), **rubs)
         scene.build()
@@ -78,7 +79,7 @@ def simulate(case, step, _):
 
     def row(time):
         x, height, theta = hoop.get_dofs_position().tolist()
-        return time, x, 1.0 + height, theta
+        return time, x, case.radius + height, theta, *hoop.get_dofs_velocity().tolist()
 
     yield from stepped(case, step, scene.step, row)
 

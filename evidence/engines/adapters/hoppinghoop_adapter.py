@@ -106,4 +106,4 @@ def simulate(case, step, setting):
 
 
 if __name__ == "__main__":
-    main(simulate)
+    main(simulate, has_units=False)

@@ -121,7 +121,7 @@ class Hoop:
         `advance(mode, time, state, until)` returns the end, its state, which event, a dense output.
         """
         case = self.case
-        state, time = (0.0, 1.0, case.theta, case.slip, case.gap_rate, case.theta_rate), 0.0
+        state, time = ((0.0, 1.0, case.theta, case.slip, case.gap_rate, case.theta_rate), 0.0)
         mode = FLIGHT if case.gap_rate > 0.0 else self.follows(state)
         if (
             mode == FLIGHT
@@ -136,7 +136,8 @@ class Hoop:
         while True:
             end, state, event, dense = advance(mode, time, state, case.until)
             while at is not None and at <= end:
-                yield (at, *dense(at)[:3])
+                x, y, theta, slip, gap_rate, rate = dense(at)
+                yield at, x, y, theta, slip - rate, gap_rate, rate
                 at = next(instants, None)
             if event is None or at is None:
                 return

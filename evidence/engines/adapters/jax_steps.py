@@ -26,10 +26,10 @@ class Run:
     """A run from coordinates and rates (x, y, theta) at the start.
 
     `begin(coordinates, rates, friction)` returns a state and what makes the next one of it,
-    `coordinates_of(state)` those of a row.
+    `motion_of(state)` coordinates and rates of a row.
     """
 
-    def __init__(self, case, step, start, begin, coordinates_of):
+    def __init__(self, case, step, start, begin, motion_of):
         count, each = rows_of(case, step)
 
         def record(coordinates, rates, friction):
@@ -37,7 +37,7 @@ class Run:
 
             def next_row(state, _):
                 state, _ = jax.lax.scan(lambda state, _: (advance(state), None), state, length=each)
-                return state, coordinates_of(state)
+                return state, motion_of(state)
 
             return jax.lax.scan(next_row, first, length=count)[1]
 
@@ -46,9 +46,14 @@ class Run:
         self.times = [i * each * step for i in range(1, count + 1)]
 
     def ready(self):
-        """Translate it; what is returned yields times and coordinates."""
+        """Translate it; what is returned yields times, and coordinates with their rates."""
         program = jax.jit(self.record).lower(*self.start).compile()
-        return lambda: zip(self.times, program(*self.start).tolist(), strict=True)
+
+        def rows():
+            coordinates, rates = (column.tolist() for column in program(*self.start))
+            return zip(self.times, zip(coordinates, rates, strict=True), strict=True)
+
+        return rows
 
     def gradient(self):
         """Yield rows of derivatives."""
@@ -58,5 +63,6 @@ class Run:
             jax.jit(lambda *at: jax.jvp(self.record, at, tangents)[1]).lower(*self.start).compile()
         )
         yield 0.0, 0.0, 0.0
-        for time, (x, _, theta) in zip(self.times, ready(*self.start).tolist(), strict=True):
+        coordinates, _ = ready(*self.start)
+        for time, (x, _, theta) in zip(self.times, coordinates.tolist(), strict=True):
             yield time, x, theta

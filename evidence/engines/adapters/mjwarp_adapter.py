@@ -8,6 +8,7 @@ settings: default careful
 requires: absl-py==2.5.1 etils==1.15.0 fsspec==2026.9.0 glfw==2.11.0 mujoco==4.0.0
   mujoco-core==4.0.0 mujoco-studio==4.0.0 mujoco-warp==4.0.0 numpy==2.4.6 PyOpenGL==3.1.10
   typing_extensions==4.16.0 warp-lang==1.19.0 websockets==17.4 zipp==4.1.2
+rolling: as MuJoCo.
 docs: https://github.com/google-deepmind/mujoco_warp
 
 default and careful: as in mujoco_adapter.py. Everything is in single precision. On the processor a
@@ -38,10 +39,12 @@ def simulate(case, step, setting):
             case,
             step,
             lambda: mujoco_warp.step(there, here),
-            lambda time: row_of(time, here.qpos.numpy()[0].tolist()),
+            lambda time: row_of(
+                case, time, here.qpos.numpy()[0].tolist(), here.qvel.numpy()[0].tolist()
+            ),
         )
         yield from rows
 
 
 if __name__ == "__main__":
-    main(simulate)
+    main(simulate, has_rolling_friction=True)

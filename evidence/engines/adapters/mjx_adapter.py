@@ -10,6 +10,7 @@ requires: absl-py==2.5.1 etils==1.15.0 fsspec==2026.9.0 glfw==2.11.0 jax==0.10.2
   numpy==2.4.6 opt_einsum==3.4.0 PyOpenGL==3.1.10 scipy==1.17.1 trimesh==5.2.0
   typing_extensions==4.16.0 websockets==17.4 zipp==4.1.2
 gradients: theta_rate slip mu_k
+rolling: as MuJoCo.
 docs: https://mujoco.readthedocs.io/en/stable/mjx.html
 
 All steps of a run are one program.
@@ -34,16 +35,16 @@ def run_of(case, step, setting):
         first = mjx.make_data(rubbing).replace(qpos=coordinates, qvel=rates)
         return first, lambda data: mjx.step(rubbing, data)
 
-    return Run(case, step, start_of(case), begin, lambda data: data.qpos)
+    return Run(case, step, start_of(case), begin, lambda data: (data.qpos, data.qvel))
 
 
 def simulate(case, step, setting):
     """Yield rows."""
     rows = run_of(case, step, setting).ready()
-    yield row_of(0.0, start_of(case)[0])
+    yield row_of(case, 0.0, *start_of(case))
     for time, at in rows():
-        yield row_of(time, at)
+        yield row_of(case, time, *at)
 
 
 if __name__ == "__main__":
-    main(simulate, lambda *run: run_of(*run).gradient())
+    main(simulate, lambda *run: run_of(*run).gradient(), has_rolling_friction=True)

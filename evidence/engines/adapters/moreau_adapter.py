@@ -3,6 +3,7 @@
 engine: Moreau time stepping (ours)
 contact: rigid
 settings: default
+rolling: separate limits.
 docs: python/docs/score.md
 
 The scheme of python/docs/score.md, with sweeps of projected Gauss-Seidel until nothing changes.
@@ -25,34 +26,39 @@ def simulate(case, step, _):
     m, h, inertia, mu = case.mass, case.h, case.inertia, case.one_coefficient()
     x, y = case.mass_centre()
     vx, vy = case.mass_centre_rates()
-    theta, rate = case.theta, case.theta_rate
+    theta, rate, radius, chi = (case.theta, case.theta_rate, case.radius, case.rolling_resistance)
 
     def advance():
         nonlocal x, y, theta, vx, vy, rate
-        x, y, theta = x + 0.5 * step * vx, y + 0.5 * step * vy, theta + 0.5 * step * rate
+        x, y, theta = (x + 0.5 * step * vx, y + 0.5 * step * vy, theta + 0.5 * step * rate)
         c, s = math.cos(theta), math.sin(theta)
         rebound = case.restitution * (vy + h * s * rate)
         vx, vy = vx + step * case.gravity[0], vy + step * case.gravity[1]
-        if y - h * c <= 1.0:
-            arm = 1.0 + h * c
+        if y - h * c <= radius:
+            arm = radius + h * c
             a, b, d = (
                 1.0 / m + arm * arm / inertia,
                 arm * h * s / inertia,
                 1.0 / m + (h * s) ** 2 / inertia,
             )
             slip, closing = vx + arm * rate, vy + h * s * rate
-            along = up = 0.0
+            along = up = couple = 0.0
             for _ in range(MOST_SWEEPS):
-                before = along, up
-                up = max(0.0, -(closing + rebound + b * along) / d)
-                along = min(mu * up, max(-mu * up, -(slip + b * up) / a))
-                if abs(along - before[0]) + abs(up - before[1]) < ENOUGH:
+                before = along, up, couple
+                up = max(0.0, -(closing + rebound + b * along + h * s * couple / inertia) / d)
+                rub = -(slip + b * up + arm * couple / inertia) / a
+                along = min(mu * up, max(-mu * up, rub))
+                brake = -(inertia * rate + arm * along + h * s * up)
+                couple = min(chi * up, max(-chi * up, brake))
+                now = along, up, couple
+                if sum(abs(a - b) for a, b in zip(now, before, strict=True)) < ENOUGH:
                     break
-            vx, vy, rate = vx + along / m, vy + up / m, rate + (arm * along + h * s * up) / inertia
-        x, y, theta = x + 0.5 * step * vx, y + 0.5 * step * vy, theta + 0.5 * step * rate
+            vx, vy = vx + along / m, vy + up / m
+            rate += (arm * along + h * s * up + couple) / inertia
+        x, y, theta = (x + 0.5 * step * vx, y + 0.5 * step * vy, theta + 0.5 * step * rate)
 
-    yield from stepped(case, step, advance, lambda time: case.row(time, x, y, theta))
+    yield from stepped(case, step, advance, lambda time: case.row(time, x, y, theta, vx, vy, rate))
 
 
 if __name__ == "__main__":
-    main(simulate)
+    main(simulate, has_rolling_friction=True)

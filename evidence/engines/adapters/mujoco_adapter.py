@@ -7,6 +7,12 @@ contact: compliant
 settings: default careful
 requires: glfw==2.11.0 mujoco==4.0.0 mujoco-core==4.0.0 mujoco-studio==4.0.0 numpy==2.4.6
   PyOpenGL==3.1.10 websockets==17.4
+rolling: one budget for friction and couple (condim 6), a pyramid by default, the cone
+  (friction/μN)² + (couple/χRN)² ≤ 1 in the careful setting; its third coefficient, a length, is
+  χ R.
+limits: bounce=none friction=greatest force=0.00,+0
+limits default: rolling=0.79 rolling_small=0.31 rolling_slow=0.0045
+limits careful: rolling=0.96 rolling_small=1 rolling_slow=0.035
 docs: https://mujoco.readthedocs.io/en/stable/modeling.html#solver-parameters
 
 default: as the package comes (Euler, pyramidal cone, contacts with solref 0.02 1, which are soft).
@@ -29,13 +35,13 @@ from adapter import main, stepped
 SCENE = """
 <mujoco>
   <option timestep="{step!r}" gravity="{along!r} 0 {away!r}" {option}/>
-  <default><geom condim="3" friction="{mu!r} 0 0" {geom}/></default>
+  <default><geom condim="{condim}" friction="{mu!r} 0 {chi!r}" {geom}/></default>
   <worldbody>
-    <geom type="plane" size="0 0 1"/>
-    <body pos="0 0 1">
+    <geom type="plane" size="0 0 1" friction="{plane!r} 0 {chi!r}"/>
+    <body pos="0 0 {radius!r}">
       <inertial pos="0 0 {h!r}" mass="{mass!r}" diaginertia="{inertia!r} {inertia!r} {inertia!r}"/>
       <joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint type="hinge"
-      axis="0 -1 0"/> <geom type="sphere" size="1"/>
+      axis="0 -1 0"/> <geom type="sphere" size="{radius!r}"/>
     </body>
   </worldbody>
 </mujoco>
@@ -56,7 +62,11 @@ def model_of(case, step, setting):
             away=case.gravity[1],
             option=option,
             geom=geom,
+            condim=6 if case.rolling_resistance > 0.0 else 3,
             mu=case.one_coefficient(),
+            plane=case.friction_of_plane(case.mu_k),
+            chi=case.rolling_resistance,
+            radius=case.radius,
             h=case.h,
             mass=case.mass,
             inertia=case.inertia,
@@ -69,10 +79,10 @@ def start_of(case):
     return (0.0, 0.0, case.theta), (case.x_rate, case.gap_rate, case.theta_rate)
 
 
-def row_of(time, coordinates):
+def row_of(case, time, coordinates, rates):
     """A row of the record."""
     x, height, theta = coordinates
-    return time, x, 1.0 + height, theta
+    return time, x, case.radius + height, theta, *rates
 
 
 def simulate(case, step, setting):
@@ -80,10 +90,14 @@ def simulate(case, step, setting):
     model = model_of(case, step, setting)
     data = mujoco.MjData(model)
     data.qpos[:], data.qvel[:] = start_of(case)
-    yield from stepped(
-        case, step, lambda: mujoco.mj_step(model, data), lambda time: row_of(time, data.qpos)
-    )
+
+    def row(time):
+        # What the constraints push the second slide with is the normal force.
+        there = row_of(case, time, data.qpos, data.qvel)
+        return case.forced(there, lambda: data.qfrc_constraint[1])
+
+    yield from stepped(case, step, lambda: mujoco.mj_step(model, data), row)
 
 
 if __name__ == "__main__":
-    main(simulate)
+    main(simulate, has_rolling_friction=True)

@@ -54,7 +54,7 @@ def world_of(case, step):
     place = nimble.math.Isometry3()
     place.set_translation([0.0, -THICK / 2, 0.0])
     joint.setTransformFromParentBodyNode(place)
-    shaped(body, nimble.dynamics.BoxShape([400.0, THICK, 20.0]), case)
+    shaped(body, nimble.dynamics.BoxShape([400.0 * case.radius, THICK, 20.0]), case)
     world.addSkeleton(floor)
     hoop = nimble.dynamics.Skeleton()
     _, carrier = hoop.createTranslationalJoint2DAndBodyNodePair()
@@ -64,9 +64,9 @@ def world_of(case, step):
     body.setInertia(
         nimble.dynamics.Inertia(case.mass, np.array([0.0, case.h, 0.0]), case.inertia * np.eye(3))
     )
-    shaped(body, nimble.dynamics.SphereShape(1.0), case)
+    shaped(body, nimble.dynamics.SphereShape(case.radius), case)
     world.addSkeleton(hoop)
-    world.setPositions([0.0, 1.0, case.theta])
+    world.setPositions([0.0, case.radius, case.theta])
     world.setVelocities([case.x_rate, case.gap_rate, case.theta_rate])
     return world
 
@@ -74,7 +74,11 @@ def world_of(case, step):
 def simulate(case, step, _):
     """Yield rows."""
     world = world_of(case, step)
-    yield from stepped(case, step, world.step, lambda time: (time, *world.getPositions()))
+
+    def row(time):
+        return (time, *world.getPositions(), *world.getVelocities())
+
+    yield from stepped(case, step, world.step, row)
 
 
 STARTS = {"slip": (1.0, 0.0, 0.0), "theta_rate": (-1.0, 0.0, 1.0)}

@@ -62,7 +62,7 @@ def simulate(case, step, setting):
         x=state, x0=start, F=[ca.horzcat(slide(1), slide(-1))], S=[np.array([[1], [-1]])], c=[slip]
     )
     solver = nosnoc.NosnocSolver(options, model)
-    yield 0.0, 0.0, 1.0, case.theta
+    yield 0.0, 0.0, 1.0, case.theta, case.x_rate, 0.0, case.theta_rate
     now = start
     for i in range(1, round(case.until / step) + 1):
         solver.set("x0", now)
@@ -72,8 +72,8 @@ def simulate(case, step, setting):
                 "the hoop leaves the plane, and the set-up has no flight: it would need time "
                 "freezing"
             )
-        yield i * step, now[0], 1.0, now[1]
+        yield i * step, now[0], 1.0, now[1], now[2] - now[3], 0.0, now[3]
 
 
 if __name__ == "__main__":
-    main(simulate)
+    main(simulate, has_units=False)

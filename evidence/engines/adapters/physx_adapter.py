@@ -44,11 +44,18 @@ def simulate(case, step, setting):
     scene = sapien.Scene([physx.PhysxCpuSystem()])
     scene.set_timestep(step)
     material = physx.PhysxMaterial(case.mu_s, case.mu_k, case.restitution)
+    other = case.friction_of_plane(case.mu_k)
+    ground = material
+    if other != case.mu_k:
+        ground = physx.PhysxMaterial(other, other, case.restitution)
     # The normal of its planes is along x.
     floor = sapien.Pose([0, 0, 0], [math.sqrt(0.5), 0.0, -math.sqrt(0.5), 0.0])
     for shape, component in (
-        (physx.PhysxCollisionShapePlane(material), physx.PhysxRigidStaticComponent()),
-        (physx.PhysxCollisionShapeSphere(1.0, material), physx.PhysxRigidDynamicComponent()),
+        (physx.PhysxCollisionShapePlane(ground), physx.PhysxRigidStaticComponent()),
+        (
+            physx.PhysxCollisionShapeSphere(case.radius, material),
+            physx.PhysxRigidDynamicComponent(),
+        ),
     ):
         if isinstance(component, physx.PhysxRigidStaticComponent):
             shape.local_pose = floor
@@ -56,15 +63,16 @@ def simulate(case, step, setting):
         entity = sapien.Entity()
         entity.add_component(component)
         if isinstance(component, physx.PhysxRigidDynamicComponent):
-            entity.set_pose(sapien.Pose([0, 0, 1], turned(case.theta)))
+            entity.set_pose(sapien.Pose([0, 0, case.radius], turned(case.theta)))
             body = component
         scene.add_entity(entity)
     body.mass = case.mass
     body.inertia = [case.inertia] * 3
     body.cmass_local_pose = sapien.Pose([0, 0, case.h])
-    body.linear_damping = body.angular_damping = 0.0
-    body.sleep_threshold = 0.0
-    body.max_angular_velocity = 1e3
+    if not case.is_untouched:
+        body.linear_damping = body.angular_damping = 0.0
+        body.sleep_threshold = 0.0
+        body.max_angular_velocity = 1e3
     if setting == "careful":
         body.solver_position_iterations = 100
     vx, vz = case.mass_centre_rates()
@@ -78,7 +86,14 @@ def simulate(case, step, setting):
         # A quaternion knows an angle up to whole turns.
         angle = 2.0 * math.atan2(-pose.q[2], pose.q[0])
         turns += math.remainder(angle - turns, math.tau)
-        return time, float(pose.p[0]), float(pose.p[2]), turns
+        (vx, _, vy), (_, turning, _) = body.linear_velocity, body.angular_velocity
+        rates = case.centre_rates(turns, float(vx), float(vy), -float(turning))
+        there = (time, float(pose.p[0]), float(pose.p[2]), turns, *rates)
+        return case.forced(there, force)
+
+    def force():
+        points = (point for contact in scene.get_contacts() for point in contact.points)
+        return sum(abs(float(point.impulse[2])) for point in points) / step
 
     yield from stepped(case, step, scene.step, row)
 

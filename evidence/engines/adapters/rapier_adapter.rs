@@ -5,6 +5,8 @@
 //! contact: rigid
 //! settings: default careful
 //! requires: cargo:rapier
+//! limits: own_turn=0.785/step turn=0.785/step own_speed=400 speed=400 sleep=0.03 friction=mean
+//!   force=1.00,+0 rolling=none rolling_small=none rolling_slow=none
 //! docs: https://rapier.rs/docs/
 //!
 //! default: as the crate comes. Its contact is a spring, critically damped tenfold, of 60 Hz
@@ -33,13 +35,25 @@ impl Case {
     fn get(&self, name: &str) -> Result<f64, String> {
         self.0[name].as_f64().ok_or_else(|| format!("the case has no number {name}"))
     }
+
+    /// Whether the case has a mark of a probe.
+    fn is(&self, name: &str) -> bool {
+        self.0[name].as_bool().unwrap_or(false)
+    }
+
+    /// The units of length, mass and time, in those of the engine.
+    fn units(&self) -> Result<(f64, f64, f64), String> {
+        let radius = self.get("radius")?;
+        Ok((radius, self.get("unit_of_mass")?, (radius / self.get("g")?).sqrt()))
+    }
 }
 
 /// A world with the hoop, which starts.
 fn world(case: &Case, step: f64, is_careful: bool) -> Result<(PhysicsWorld, RigidBodyHandle), String> {
     let mut world = PhysicsWorld::default();
-    let slope = case.get("slope")?;
-    world.gravity = Vector::new(-slope.sin(), -slope.cos());
+    let (radius, mass, second) = case.units()?;
+    let (slope, g) = (case.get("slope")?, case.get("g")?);
+    world.gravity = Vector::new(-g * slope.sin(), -g * slope.cos());
     let with = &mut world.integration_parameters;
     with.dt = step;
     if is_careful {
@@ -47,27 +61,28 @@ fn world(case: &Case, step: f64, is_careful: bool) -> Result<(PhysicsWorld, Rigi
         with.friction_in_bias_pass = true;
         with.contact_recycling = false;
     }
-    let (h, theta, rate) = (case.get("h")?, case.get("theta")?, case.get("theta_rate")?);
+    let (h, theta, rate) = (case.get("h")? * radius, case.get("theta")?, case.get("theta_rate")? / second);
     let (mu, restitution) = (case.get("mu_k")?, case.get("restitution")?);
+    let ground = case.get("plane").ok().filter(|&other| other >= 0.0).unwrap_or(mu);
     let plane =
-        ColliderBuilder::halfspace(Unit::new_unchecked(Vector::Y)).friction(mu).restitution(restitution);
+        ColliderBuilder::halfspace(Unit::new_unchecked(Vector::Y)).friction(ground).restitution(restitution);
     world.insert(RigidBodyBuilder::fixed(), plane);
     let body = RigidBodyBuilder::dynamic()
-        .can_sleep(false)
-        .translation(Vector::new(0.0, 1.0))
+        .can_sleep(case.is("is_untouched"))
+        .translation(Vector::new(0.0, radius))
         .rotation(theta)
         .additional_mass_properties(MassProperties::new(
             Vector::new(0.0, h),
-            case.get("mass")?,
-            case.get("inertia")?,
+            case.get("mass")? * mass,
+            case.get("inertia")? * mass * radius * radius,
         ))
         // The velocity is that of the mass centre.
         .linvel(Vector::new(
-            case.get("slip")? - rate * (1.0 + h * theta.cos()),
-            case.get("gap_rate")? - rate * h * theta.sin(),
+            case.get("slip")? * radius / second - rate * (radius + h * theta.cos()),
+            case.get("gap_rate")? * radius / second - rate * h * theta.sin(),
         ))
         .angvel(rate);
-    let rim = ColliderBuilder::ball(1.0).density(0.0).friction(mu).restitution(restitution);
+    let rim = ColliderBuilder::ball(radius).density(0.0).friction(mu).restitution(restitution);
     let (hoop, _) = world.insert(body, rim);
     Ok((world, hoop))
 }
@@ -81,14 +96,38 @@ fn main() -> Result<(), Box<dyn Error>> {
         eprintln!("the engine has one coefficient of friction, the case mu_s = {mu_s}, mu_k = {mu_k}");
         std::process::exit(REFUSED);
     }
-    let (mut world, hoop) = world(&case, step, setting == "careful")?;
+    let resistance = case.get("rolling_resistance")?;
+    if resistance != 0.0 {
+        eprintln!("the engine has no rolling friction, the case chi = {resistance}");
+        std::process::exit(REFUSED);
+    }
+    let (radius, mass, second) = case.units()?;
+    let (velocity, weight) = (radius / second, mass * case.get("g")?);
+    let (mut world, hoop) = world(&case, step * second, setting == "careful")?;
+    let (h, has_force) = (case.get("h")? * radius, case.is("has_force"));
     let mut turned = case.get("theta")?;
-    let mut rows = String::from("time,x,y,theta\n");
+    let mut rows = String::from("time,x,y,theta,x_rate,y_rate,theta_rate");
+    rows.push_str(if has_force { ",force\n" } else { "\n" });
     let mut row = |time: f64, world: &PhysicsWorld| {
         let (place, angle) = (world.bodies[hoop].translation(), world.bodies[hoop].rotation().angle());
         let tau = std::f64::consts::TAU;
         turned += angle - turned - tau * ((angle - turned) / tau).round();
-        writeln!(rows, "{time},{},{},{turned}", place.x, place.y)
+        let (v, rate) = (world.bodies[hoop].linvel(), world.bodies[hoop].angvel());
+        // From the velocity of the mass centre to that of the geometric centre.
+        let (along, up) = (v.x + h * turned.cos() * rate, v.y + h * turned.sin() * rate);
+        write!(rows, "{time},{},{},{turned}", place.x / radius, place.y / radius)?;
+        write!(rows, ",{},{},{}", along / velocity, up / velocity, rate * second)?;
+        if has_force {
+            let pushed: f64 = world
+                .narrow_phase
+                .contact_pairs()
+                .flat_map(|pair| pair.manifolds())
+                .flat_map(|manifold| &manifold.points)
+                .map(|point| point.data.impulse)
+                .sum();
+            write!(rows, ",{}", pushed / (step * second) / weight)?;
+        }
+        writeln!(rows)
     };
     let count = (case.get("until")? / step).round() as u64;
     let each = ((SHORTEST / step).round() as u64).max(1);

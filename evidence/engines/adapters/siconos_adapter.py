@@ -46,8 +46,8 @@ def simulate(case, step, setting):
         ahead = theta + AHEAD[setting] * step * body.velocity()[2]
         c, s = h * math.cos(ahead), h * math.sin(ahead)
         # The constant is that with which the gap is right where the body is.
-        return np.array([[0.0, 1.0, s], [1.0, 0.0, 1.0 + c]]), np.array(
-            [-h * math.cos(theta) - 1.0 - s * theta, 0.0]
+        return np.array([[0.0, 1.0, s], [1.0, 0.0, case.radius + c]]), np.array(
+            [-h * math.cos(theta) - case.radius - s * theta, 0.0]
         )
 
     relation = kernel.LagrangianLinearTIR(*contact())
@@ -68,7 +68,9 @@ def simulate(case, step, setting):
         scheme.computeOneStep()
         scheme.nextStep()
 
-    yield from stepped(case, step, advance, lambda time: case.row(time, *body.q()))
+    yield from stepped(
+        case, step, advance, lambda time: case.row(time, *body.q(), *body.velocity())
+    )
 
 
 if __name__ == "__main__":

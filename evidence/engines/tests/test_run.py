@@ -169,7 +169,7 @@ def test_the_template_runs_as_it_is_and_falls_through_the_plane(run, tmp_path):
     copy = tmp_path / "mine_adapter.py"
     copy.write_bytes(template.read_bytes())
     (tmp_path / "adapter.py").write_bytes((FOLDER / "adapters" / "adapter.py").read_bytes())
-    case, record, log = tmp_path / "case.json", tmp_path / "record.csv", tmp_path / "log"
+    case, record, log = (tmp_path / "case.json", tmp_path / "record.csv", tmp_path / "log")
     case.write_text(json.dumps(run.case_file(BENCHMARK["lands"])), encoding="utf-8")
     ran = run.run_adapter([sys.executable, str(copy)], case, 1e-2, "default", record, log)
     assert ran["status"] == "scored" and ran["steps"] == 200
@@ -178,7 +178,8 @@ def test_the_template_runs_as_it_is_and_falls_through_the_plane(run, tmp_path):
     # One with an obvious mistake has failed, and says why.
     text = copy.read_text(encoding="utf-8")
     copy.write_text(
-        text.replace("case.row(time, x, y, theta)", "(time, x, y, theta)"), encoding="utf-8"
+        text.replace("case.row(time, x, y, theta, vx, vy, case.theta_rate)", "(time, x, y, theta)"),
+        encoding="utf-8",
     )
     assert (
         run.run_adapter([sys.executable, str(copy)], case, 1e-2, "default", record, log)["status"]
@@ -196,6 +197,72 @@ def test_what_a_pull_request_touches_is_run(run, monkeypatch):
     done = subprocess.CompletedProcess([], 0, stdout=changed, stderr="")
     monkeypatch.setattr(run.subprocess, "run", lambda *_, **__: done)
     assert run.changed("main") == ["pymunk", "rapier"]
+
+
+def test_a_case_beyond_a_limit_is_refused_with_the_number(run, tmp_path):
+    """fast turns at 300 rad/s; tiny at 132 rad/s where R is 5 mm, its mass centre at 0.54 m/s."""
+    text = (FOLDER / "template_adapter.py").read_text(encoding="utf-8")
+    path = tmp_path / "mine_adapter.py"
+
+    def refusal(line, case, step):
+        path.write_text(text.replace("docs: ", f"{line}\ndocs: "), encoding="utf-8")
+        return run.Engine("mine", path).refusal(case, "default", step)
+
+    assert refusal("limits: turn=100", "fast", 1e-3) == "limit: 100 rad/s, the case reaches 300"
+    assert "132" in refusal("limits: turn=100", "tiny", 1e-3)
+    assert refusal("limits: turn=100", "rolls", 1e-3) is None
+    assert refusal("limits: friction=product", "fast", 1e-3) is None
+    assert refusal("limits: turn=1.57/step", "fast", 1e-2).startswith("limit: 157 rad/s")
+    assert refusal("limits: turn=1.57/step", "fast", 1e-3) is None
+    assert refusal("limits: speed=0.5", "tiny", 1e-3).startswith("limit: 0.5 m/s")
+    assert refusal("limits: speed=0.6", "tiny", 1e-3) is None
+    # Where R is 10 m in the engine whatever the case, that is 107 R a second.
+    assert refusal("limits: speed=0.6 radius=10", "tiny", 1e-3) is not None
+    assert refusal("limits: speed=200 radius=10", "tiny", 1e-3) is None
+    # Those of another setting say nothing.
+    assert refusal("limits careful: turn=100", "fast", 1e-3) is None
+
+
+def test_an_adapter_has_the_units_of_the_engine(run, tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(str(FOLDER / "adapters"))
+    import adapter
+
+    path = tmp_path / "case.json"
+    path.write_text(json.dumps(run.case_file(BENCHMARK["tiny"])), encoding="utf-8")
+    mine, plain = adapter.Case.read(path, True), adapter.Case.read(path, False)
+    assert (mine.radius, mine.g) == (0.005, 9.80665) and (plain.radius, plain.g) == (1.0, 1.0)
+    assert mine.theta_rate == pytest.approx(88.57) and mine.until == pytest.approx(0.113)
+    assert mine.mass == pytest.approx(0.002) and mine.h == pytest.approx(0.0025)
+    # The particle has 1 g, the hoop 1 g at its rim: about the mass centre 2 g (R² − h²).
+    assert mine.inertia == pytest.approx(0.002 * (0.005**2 - 0.0025**2))
+    x, y = mine.mass_centre()
+    vx, vy = mine.mass_centre_rates()
+    there = mine.row(0.0, x, y, mine.theta, vx, vy, mine.theta_rate)
+    rates = (plain.x_rate, plain.gap_rate, plain.theta_rate)
+    assert mine.without_dimension(there) == pytest.approx((0.0, 0.0, 1.0, mine.theta, *rates))
+
+
+def test_a_row_that_moved_is_named(run):
+    old = run.read(run.RESULTS)["moreau"]
+    assert not [one for one in old if run.moves(old, one)]
+    one = next(one for one in old if one["status"] == "scored" and one["error"] > 1e-4)
+    assert not run.moves(old, one | {"error": one["error"] * 1.005})
+    assert run.moves(old, one | {"error": one["error"] * 1.02})[0].startswith("error ")
+    assert run.moves(old, one | {"spurious": one["spurious"] + 1})[0].startswith("spurious ")
+    assert run.moves(old, one | {"status": "failed", "reason": "gone"}) == [
+        "scored became failed gone"
+    ]
+    assert run.moves(old, one | {"step": 0.5}) == ["there is no such row"]
+
+
+def test_limits_are_those_that_were_measured(run, monkeypatch):
+    monkeypatch.syspath_prepend(str(FOLDER))
+    import probe
+
+    known, rows = run.engines(), run.read_rows(run.RESULTS / "limits.csv")
+    assert len({row["engine"] for row in rows}) >= 5
+    for row in rows:
+        assert not probe.differences(known[row["engine"]], row["setting"], row), row["engine"]
 
 
 def test_outcomes_without_a_record(run):
@@ -248,6 +315,7 @@ def test_the_page_has_the_results(run, monkeypatch):
     page = report.PAGE.read_text(encoding="utf-8")
     every, runs = run.engines(), run.read(run.RESULTS)
     tables = [report.summary(every, runs), report.gradients(every), report.settings(every, runs)]
+    tables += [report.limits(every), report.rolling(every)]
     for name in report.CATEGORIES:
         tables += [report.listed(name), report.category(name, every, runs)]
     for rows in tables:

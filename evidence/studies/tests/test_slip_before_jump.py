@@ -195,3 +195,14 @@ def test_no_motion_from_rest_climbs_beyond_twice_h():
         )
         x = np.array([0.0] + [one.state.x for one in motion.transitions])
         assert np.all(x * math.sin(slope) <= 2.0 * hoop.h + 1e-9)
+
+
+def test_the_hypothesis_on_bounces_is_needed_and_the_program_says_so():
+    # A rest with P > 0 at all angles from which bounces grow, so that motions leave rolling there.
+    hoop = replace(thin_hoop(0.5, mu_k=1.0, restitution=0.9), slope=25.0 * DEGREE)
+    assert Body.of(hoop).painleve(hoop.slope) > 1.0
+    assert hoop.classify(theta=-1.4433, theta_rate=0.0).reverse_chatter == pytest.approx(
+        1.0795, abs=1e-4
+    )
+    calm = replace(hoop, restitution=0.0)
+    assert not calm.classify(theta=-1.4433, theta_rate=0.0).reverse_chatter

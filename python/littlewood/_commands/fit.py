@@ -17,7 +17,7 @@ from typing import Any
 
 from .._internal.extras import require
 from ..fitting.fall import Fall, fall_of
-from ..fitting.given import checked_errors
+from ..fitting.given import USUAL_ERRORS, checked_errors, usual_in_words
 from ..fitting.least_squares import fit
 from ..fitting.problem import OF_HOOP
 from ..fitting.result import FitResult, FitWarning
@@ -185,6 +185,12 @@ def _parser() -> argparse.ArgumentParser:
         "mass_ratio, offset, inertia, clock and camera_scale as parts of 1, slope in radians",
     )
     parser.add_argument(
+        "--usual-errors",
+        action="store_true",
+        help="the intervals include usual errors of what was weighed and measured: "
+        f"{usual_in_words()}".replace("%", "%%"),
+    )
+    parser.add_argument(
         "--any-clock",
         action="store_true",
         help="fit also where flights contradict the times",
@@ -309,9 +315,10 @@ def _hoop_of(options: argparse.Namespace) -> Hoop:
 def _errors(options: argparse.Namespace) -> dict[str, float]:
     """Return how well is known what was weighed and measured."""
     try:
-        return checked_errors({name: float(size) for name, size in options.error})
+        told = checked_errors({name: float(size) for name, size in options.error})
     except ValueError as error:
         raise ValueError(f"--error: {error}") from None
+    return {**USUAL_ERRORS, **told} if options.usual_errors else told
 
 
 def _plane(options: argparse.Namespace) -> Plane | None:

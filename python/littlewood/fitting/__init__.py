@@ -5,6 +5,7 @@ Tracks, their errors, estimates of what is not known, and what speaks against th
 
 from .diagnostics import DOUBTS, Doubt
 from .estimate import Estimate
+from .given import USUAL_ERRORS
 from .least_squares import fit
 from .noise import Noise
 from .result import FitResult, FitWarning, IdentifiabilityWarning
@@ -12,6 +13,7 @@ from .track import TableFileError, Track
 
 __all__ = [
     "DOUBTS",
+    "USUAL_ERRORS",
     "Doubt",
     "Estimate",
     "FitResult",

@@ -27,7 +27,7 @@ __all__ = ["DOUBTS", "Doubt", "doubts_of_residuals"]
 DOUBTS: Mapping[str, str] = {
     "identifiability": "a free parameter leaves no trace in the motion",
     "held": "the track contradicts a value that the fit holds",
-    "unseen": "a value that the fit holds matters, and the track does not show whether it is right",
+    "unseen": "the ± hold if what was weighed and measured is right, which the track does not show",
     "camera": "the track shows a constant error of the camera that the fit does not estimate",
     "bound": "a free parameter ends at its bound",
     "sequences": "another sequence of phases explains the track nearly as well",
@@ -54,29 +54,6 @@ _ALSO = 0.8
 _STEPS_OF_FREED = 30
 # A cause explains at least this part of what the squares of the residuals have too much.
 _EXPLAINS = 0.4
-# By how much somebody may have wrong what a fit holds: a part of it, a part of 1, an angle or R.
-_IN_PARTS = ("mu_s", "mu_k", "inertia", "restitution", "mass_ratio", "offset")
-_WRONG_BY = {
-    **dict.fromkeys(("mu_s", "mu_k", "restitution"), 0.1),
-    **dict.fromkeys(("inertia", "mass_ratio"), 0.05),
-    **dict.fromkeys(("offset", "camera_scale"), 0.03),
-    **dict.fromkeys(("slope", "camera_turn"), math.radians(2.0)),
-    **dict.fromkeys(("camera_floor", "camera_stretch", "camera_shear"), 0.02),
-    **dict.fromkeys(("camera_middle_x", "camera_middle_y"), 0.02),
-    **dict.fromkeys(("camera_perspective_x", "camera_perspective_y"), 0.005),
-    "rolling_resistance": 0.01,
-    "clock": 0.04,
-    "camera_marker": math.radians(3.0),
-    "camera_exposure": 0.0,
-}
-_ANGLES = ("slope", "camera_turn", "camera_marker")
-_PARTS = ("clock", "camera_scale", "camera_stretch", "camera_shear")
-# An error that the residuals show by so many standard deviations has a doubt, but for one track in
-# thirty; one that moves a result by so many standard errors makes it wrong.
-_SHOWN = 6.0
-_MATTERS = 2.0
-# Of the errors that somebody may make this part is too small to speak of.
-_LARGE = 0.3
 _TINY = 1e-300
 # A derivative of which less is left beside those of the free parameters cannot be told from theirs.
 _SEPARATE = 1e-3
@@ -122,12 +99,11 @@ class _Channel:
 
 
 def doubts_of_residuals(
-    problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool, told: Iterable[str]
+    problem: Problem, unknowns: Reals, known: Iterable[str], robust: bool
 ) -> list[Doubt]:
     """Return the doubts that the residuals of a fit raise.
 
-    `known` are the channels whose errors were given, and `told` what is held with an error that was
-    given.
+    `known` are the channels whose errors were given.
     """
     known = set(known)
     residuals = problem.seen(problem.residuals(unknowns))
@@ -146,11 +122,7 @@ def doubts_of_residuals(
         )
         channels[name] = _Channel(frames[name], scaled, relative[name], max(sigma, _LEAST_ERROR))
     held, excess = _all_held(problem, unknowns, channels)
-    found = [
-        *_contradictions(problem, unknowns, held, excess),
-        *_unseen(one for one in held if one.name not in told),
-    ]
-    found += _structure(channels)
+    found = [*_contradictions(problem, unknowns, held, excess), *_structure(channels)]
     if not robust:
         found += [*_outliers(channels), *_misfit(channels, known, unknowns.size)]
     return found
@@ -203,8 +175,6 @@ class _Held:
         By how many the residuals lean along such an error.
     is_separate : bool
         Whether they can be told from what the free parameters do.
-    moved : mapping of str to float
-        By how many standard errors an error of 1 moves each parameter of the hoop.
     """
 
     name: str
@@ -212,17 +182,6 @@ class _Held:
     shown: float
     score: float
     is_separate: bool
-    moved: Mapping[str, float]
-
-    @property
-    def hidden(self) -> float:
-        """The largest error that somebody may make and that the residuals may not show.
-
-        None where they show all but small ones.
-        """
-        most = _WRONG_BY[self.name] * (abs(self.value) if self.name in _IN_PARTS else 1.0)
-        hidden = min(most, _SHOWN / max(self.shown, _TINY))
-        return hidden if hidden >= _LARGE * most else 0.0
 
 
 def _all_held(
@@ -239,10 +198,8 @@ def _all_held(
     free = stacked(problem.derivatives(unknowns))
     norms = np.linalg.norm(free, axis=0)
     norms = np.where(norms > 0.0, norms, 1.0)
-    basis, singular, rows = np.linalg.svd(free / norms, full_matrices=False)
-    kept = singular > 1e-8 * singular[0]
-    basis, singular, rows = basis[:, kept], singular[kept], rows[kept]
-    errors = np.linalg.norm(rows / singular[:, None], axis=0) / norms
+    basis, singular, _ = np.linalg.svd(free / norms, full_matrices=False)
+    basis = basis[:, singular > 1e-8 * singular[0]]
     residuals = np.concatenate([one.scaled for one in channels.values()])
     # Outliers have a doubt of their own.
     residuals = np.clip(residuals, -_OUTLIER, _OUTLIER)
@@ -255,10 +212,8 @@ def _all_held(
         if columns is None:
             continue
         slope = stacked(columns)
-        along = basis.T @ slope
-        apart = slope - basis @ along
+        apart = slope - basis @ (basis.T @ slope)
         size = float(np.linalg.norm(apart))
-        moved = (rows.T @ (along / singular)) / norms / np.where(errors > 0.0, errors, 1.0)
         found.append(
             _Held(
                 name=name,
@@ -266,42 +221,9 @@ def _all_held(
                 shown=size,
                 score=float(residuals @ apart) / max(size, _TINY),
                 is_separate=size > _SEPARATE * float(np.linalg.norm(slope)),
-                moved={
-                    one: abs(float(moved[k]))
-                    for k, one in enumerate(problem.names)
-                    if one in problem.holdable
-                },
             )
         )
     return found, float(residuals @ residuals) - residuals.size
-
-
-def _unseen(held: Iterable[_Held]) -> Iterator[Doubt]:
-    """Name what is held where a hidden error of it makes something else wrong."""
-    words, parameters = [], []
-    for one in held:
-        moved, what = max(((size, name) for name, size in one.moved.items()), default=(0.0, ""))
-        if moved * one.hidden > _MATTERS:
-            words.append(f"{one.name} by {_as_size(one, 1.0 / moved)} ({what})")
-            parameters.append(one.name)
-    if words:
-        yield Doubt(
-            "unseen",
-            "the track does not show whether these are right, and each makes the number in "
-            "brackets wrong by its standard error if it is wrong itself by no more than this: "
-            f"{', '.join(words)}. Measure them so well, or say how well you know them (errors; "
-            "--error), so that the intervals include it",
-            tuple(parameters),
-        )
-
-
-def _as_size(of: _Held, error: float) -> str:
-    """Return an error in the unit in which it is measured."""
-    if of.name in _IN_PARTS:
-        return f"{100.0 * error / max(abs(of.value), _TINY):.2g} %"
-    if of.name in _ANGLES:
-        return f"{math.degrees(error):.2g}°"
-    return f"{100.0 * error:.2g} %" if of.name in _PARTS else f"{error:.2g} R"
 
 
 def _contradictions(

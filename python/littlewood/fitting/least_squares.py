@@ -22,7 +22,7 @@ from .calibration import checked
 from .diagnostics import Doubt, doubts_of_residuals
 from .estimate import Estimate
 from .fall import never_flies
-from .given import checked_errors, errors_of_given
+from .given import checked_errors, errors_of_given, unseen
 from .noise import Noise, error_of_frames
 from .problem import FINE, OF_HOOP, RESISTANCE_BEFOREHAND, ROUGH, Problem
 from .profile import rise
@@ -122,10 +122,12 @@ def fit(
         "exposure" (exposure time). By default all for a track of :func:`track_video`, none for
         others. Those that no channel determines are omitted.
     errors : mapping, optional
-        How well what was weighed and measured is known, as standard errors: "mass_ratio", "offset"
-        and "inertia" as parts of the values of `hoop`, "slope" in rad, "clock" as a part of all
-        times, and constants of the camera as "camera_scale", …. Standard errors then include what
-        they may have wrong, as far as the track does not tell it. By default they are right.
+        How well what was weighed and measured is known, as standard errors: "mass_ratio", "offset",
+        "inertia" and what else of the hoop is held as parts of its values, "slope" in rad, "clock"
+        as a part of all times, "rolling_resistance" in R, and constants of the camera as
+        "camera_scale", …. Standard errors then include what they may have wrong, as far as the
+        track does not tell it. By default they are right; :data:`littlewood.fitting.USUAL_ERRORS`
+        are those of scales, rulers and telephones.
     progress : bool, optional
         Whether to show a progress bar (tqdm).
 
@@ -305,10 +307,10 @@ def _result(
     of_given = errors_of_given(problem, best, told)
     met = _bounds_met(problem, best, covariance)
     at_bound = False
+    change = np.eye(len(names))
     if "mu_s" in names and "mu_k" in names:
         # The unknown is the excess of mu_s over mu_k.
         excess, kinetic = names.index("mu_s"), names.index("mu_k")
-        change = np.eye(len(names))
         change[excess, kinetic] = 1.0
         covariance = change @ covariance @ change.T
         of_given = change @ of_given @ change.T
@@ -370,7 +372,8 @@ def _result(
         name: replace(one, std_error=math.sqrt(covariance[i, i]))
         for i, (name, one) in enumerate(estimates.items())
     }
-    doubts += doubts_of_residuals(problem, best.x, known, loss != "linear", told)
+    doubts += doubts_of_residuals(problem, best.x, known, loss != "linear")
+    doubts += unseen(problem, best, change, estimates, told)
     result = FitResult(
         hoop=motion.hoop,
         start=motion.start,

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from .._internal.elementwise import Reals
 from .problem import Problem
@@ -14,10 +15,10 @@ from .problem import Problem
 __all__ = ["Mode", "Posterior", "posterior"]
 
 
-# Samples of each turn; those of the last turn count, or of one of which this part counts: the
-# likelihood is nearly normal.
+# Samples of each turn. They end where so many of all of them count in effect: these tell a variance
+# to a seventh.
 _SAMPLES = (200, 300, 1000)
-_ENOUGH = 0.3
+_ENOUGH = 100.0
 # Student's distribution with so many degrees of freedom has tails that bear curved valleys.
 _FREEDOM = 5.0
 # Fewer samples than this, in effect, tell nothing.
@@ -37,11 +38,14 @@ class Mode:
         Normal matrix there, with what is known beforehand.
     evidence : float
         Logarithm of its probability by Laplace's method.
+    sequence : str
+        Phases of its motion.
     """
 
     unknowns: Reals
     normal: Reals
     evidence: float
+    sequence: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,43 +77,45 @@ def posterior(problem: Problem, modes: Sequence[Mode]) -> Posterior | None:
     """Weigh samples around modes, the best of which is the first; None where too few count.
 
     They are drawn from Student's distributions about the modes, then from one about what these
-    weigh as well, and weighted by the likelihood over the density from which they are drawn.
+    weigh as well, and weighted by the likelihood over the density from which all are drawn.
     Beforehand each unknown is within about 1 of the best mode, in the units of the hoop.
     """
     random = np.random.default_rng(0)
     best = modes[0].unknowns
-    low, high = map(np.array, problem.bounds())
-    # What no motion depends on stays as it is.
-    moves = np.any([np.diag(one.normal) > 1.0 + _TINY for one in modes], axis=0)
+    moves = _moving(modes)
     size = int(moves.sum())
     centres = [one.unknowns[moves] for one in modes]
-    roots = [_root(np.linalg.inv(one.normal[np.ix_(moves, moves)])) for one in modes]
+    roots = [_root(np.asarray(np.linalg.inv(one.normal[np.ix_(moves, moves)]))) for one in modes]
     shares = np.exp(np.clip([one.evidence - modes[0].evidence for one in modes], -50.0, 50.0))
     shares = np.maximum(shares / shares.sum(), 0.5 / len(modes))
+    drawn, owned = np.empty((0, size)), np.zeros(0)
+    logs: Reals = np.empty(0)
+    names: list[str] = []
     for count in _SAMPLES:
         shares = shares / shares.sum()
-        drawn = _drawn(random, shares, centres, roots, count)
+        new = _drawn(random, shares, centres, roots, count)
+        drawn = np.concatenate([drawn, new])
+        found = [_likelihood(problem, best, one) for one in _whole(best, moves, new)]
+        logs = np.append(logs, [log for log, _ in found])
+        names += [name for _, name in found]
+        # Of all samples so many are drawn about each centre: all turns are one mixture, so that a
+        # sample in the tail of one of them, where another is dense, does not outweigh the rest.
+        owned = np.append(owned, np.zeros(shares.size - owned.size)) + count * shares
         density = np.logaddexp.reduce(
             [
-                math.log(share) + _log_density(drawn, centre, root)
-                for share, centre, root in zip(shares, centres, roots, strict=True)
+                math.log(part / logs.size) + _log_density(drawn, centre, root)
+                for part, centre, root in zip(owned, centres, roots, strict=True)
             ]
         )
-        samples = np.tile(best, (count, 1))
-        samples[:, moves] = drawn
-        moved = samples - best
-        logs, names = np.full(count, -math.inf), [""] * count
-        for k in np.flatnonzero(np.all((samples >= low) & (samples <= high), axis=1)):
-            logs[k] = -problem.cost(samples[k]) - 0.5 * float(moved[k] @ moved[k]) - density[k]
-            names[k] = problem.motion(samples[k]).sequence
-        most = float(np.max(logs))
+        ratios = logs - density
+        most = float(np.max(ratios))
         if not math.isfinite(most):
             return None
-        weights = np.exp(logs - most)
+        weights = np.exp(ratios - most)
         total = float(weights.sum())
         weights = weights / total
         effective = 1.0 / float(np.sum(np.square(weights)))
-        if count > _SAMPLES[0] and effective >= _ENOUGH * count:
+        if effective >= _ENOUGH:
             break
         if effective >= 2.0 * size:
             centres.append(np.asarray(weights @ drawn, dtype=np.float64))
@@ -118,19 +124,50 @@ def posterior(problem: Problem, modes: Sequence[Mode]) -> Posterior | None:
             shares = np.append(shares, 1.0)
     if effective < _FEWEST:
         return None
+    samples = _whole(best, moves, drawn)
+    moved = samples - best
     sequences: dict[str, float] = {}
     samples_of: dict[str, Reals] = {}
-    for k in np.argsort(-logs):
+    for k in np.argsort(-ratios):
         if weights[k] > 0.0:
             sequences[names[k]] = sequences.get(names[k], 0.0) + float(weights[k])
             samples_of.setdefault(names[k], samples[k])
     return Posterior(
-        log_evidence=most + math.log(total / count) - 0.5 * size * math.log(math.tau),
+        log_evidence=most + math.log(total / logs.size) - 0.5 * size * math.log(math.tau),
         sequences=sequences,
         samples=samples_of,
         moments=(weights * moved.T) @ moved,
         effective=effective,
     )
+
+
+def _moving(modes: Sequence[Mode]) -> npt.NDArray[np.bool_]:
+    """Return which unknowns are drawn.
+
+    What no motion depends on stays as it is; but if it takes another sequence to another mode, as
+    the excess of μs over μk does that is 0 at a bound, the sequences differ by its volume.
+    """
+    best = modes[0]
+    moves = np.any([np.diag(one.normal) > 1.0 + _TINY for one in modes], axis=0)
+    others = [one.unknowns != best.unknowns for one in modes if one.sequence != best.sequence]
+    return np.asarray(moves | np.any(others, axis=0))
+
+
+def _whole(best: Reals, moves: npt.NDArray[np.bool_], drawn: Reals) -> Reals:
+    """Return all unknowns of samples of those that move."""
+    samples = np.tile(best, (drawn.shape[0], 1))
+    samples[:, moves] = drawn
+    return samples
+
+
+def _likelihood(problem: Problem, best: Reals, sample: Reals) -> tuple[float, str]:
+    """Return the logarithm of the probability of a sample, and its sequence of phases."""
+    low, high = problem.bounds()
+    if np.any(sample < low) or np.any(sample > high):
+        return -math.inf, ""
+    moved = sample - best
+    log = -problem.cost(sample) - 0.5 * float(moved @ moved)
+    return log, problem.motion(sample).sequence
 
 
 def _root(covariance: Reals) -> Reals:

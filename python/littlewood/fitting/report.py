@@ -17,6 +17,7 @@ from ..sweep.many import outcome_map
 from ..tables import QUANTITIES
 from ..trajectory import Trajectory
 from .estimate import Estimate
+from .fall import fall_of
 from .result import FitResult
 from .shares import shares
 
@@ -181,7 +182,19 @@ def _facts(result: FitResult) -> str:
     )
     return (
         f"Held: {escape(words)}. {frames} frames; errors of a frame: {escape(sizes)} (rad, R); "
-        f"μₛ is at least {result.mu_s_at_least:.3g}. Motion: {escape(result.motion.outcome.label)}."
+        f"μₛ is at least {result.mu_s_at_least:.3g}. {_of_clock(result)} "
+        f"Motion: {escape(result.motion.outcome.label)}."
+    )
+
+
+def _of_clock(result: FitResult) -> str:
+    """Return how well the flights of a track tell its clock."""
+    fall = fall_of(result.track, result.hoop)
+    if fall is None:
+        return "No flight tells the clock: film a stop watch."
+    return (
+        f"Flights tell the clock to ± {100.0 * fall.clock_error:.2g} %; one that is off by less "
+        f"than {100.0 * fall.noticed:.2g} % they may not show, as lengths are known to 1 %."
     )
 
 

@@ -38,6 +38,8 @@ STEPS = len(_PARTS) * _BEST_OF_NEW
 _STEPS_OF_SEARCH = 40
 # Guesses that differ by less lead to the same minimum.
 _SAME = 1e-3
+# So many frames have residuals of one sign where a guess is wrong.
+_FRAMES_OF_WAVE = 8
 # Of good tracks one in so many is not explained by its true motion, by chance.
 _GOOD_TRACKS = 10_000
 
@@ -120,12 +122,19 @@ def _guesses(
 def explains(problem: Problem, unknowns: Reals) -> bool:
     """Whether errors from frame to frame explain what a guess leaves of the track.
 
-    It is the F test of the variance of the residuals against that of the frames.
+    It is the F test of the variance of the residuals against that of the frames, and that of sums
+    over some frames, because residuals of another motion come in waves.
     """
     rest = problem.scaled(unknowns)
-    left = float(max(1, rest.size - unknowns.size))
-    limit = require("scipy.special").fdtri(left, EFFICIENCY * rest.size, 1.0 - 1.0 / _GOOD_TRACKS)
-    return float(rest @ rest) / left < float(limit)
+    count = rest.size // _FRAMES_OF_WAVE
+    sums = np.sum(rest[: count * _FRAMES_OF_WAVE].reshape(count, -1), axis=1)
+    sums /= math.sqrt(_FRAMES_OF_WAVE)
+    known, fdtri = EFFICIENCY * rest.size, require("scipy.special").fdtri
+    for values in (rest, sums):
+        left = float(max(1, values.size - unknowns.size))
+        if float(values @ values) / left >= fdtri(left, known, 1.0 - 1.0 / _GOOD_TRACKS):
+            return False
+    return True
 
 
 def guesses_followed(

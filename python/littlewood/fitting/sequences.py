@@ -158,7 +158,7 @@ def _weighed(found: Sequence[_Minimum]) -> _Weighed:
     all_told: dict[tuple[str, ...], Posterior] = {}
     for names, fits in groups.items():
         of = fits[0].problem
-        modes = [Mode(one.best.x, _normal(one.best), one.evidence) for one in fits]
+        modes = [Mode(one.best.x, _normal(one.best), one.evidence, one.sequence) for one in fits]
         told = posterior(of, modes)
         if told is None:
             for one in fits:

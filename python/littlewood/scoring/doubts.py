@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from .._internal.elementwise import Reals
-from .record import Record
+from .record import RATES, Record
 
 if TYPE_CHECKING:
     from ..trajectory import Trajectory
@@ -77,6 +77,7 @@ def doubts(motion: Trajectory, record: Record) -> Iterator[str]:
     """Yield what looks like a mistake of the record rather than of the solver."""
     path = _Path(record.time, record.x, record.y, record.theta)
     yield from _wrapped(path)
+    yield from _other_rates(motion, record)
     if not motion.start.time <= path.time[0] <= motion.end_time:
         return
     off = _distance(motion, path)
@@ -107,6 +108,23 @@ def _wrapped(path: _Path) -> Iterator[str]:
             f"theta jumps by {path.theta[jumps[0] + 1] - path.theta[jumps[0]]:.3g} at time = "
             f"{path.time[jumps[0] + 1]:.6g}: is it wrapped? A turn must be 2 pi more (numpy.unwrap)"
         )
+
+
+def _other_rates(motion: Trajectory, record: Record) -> Iterator[str]:
+    """Rates of the first row that are not those of the start."""
+    start = motion.start
+    if record.rates is None or record.time[0] != start.time:
+        return
+    exact = start.slip - start.theta_rate, start.gap_rate, start.theta_rate
+    size = max(1.0, *map(abs, exact))
+    for name, mine, rate in zip(RATES, record.rates, exact, strict=True):
+        if abs(mine[0] - rate) > _AT_ONCE * size:
+            yield (
+                f"the first row is not the start: it is off in {name} by "
+                f"{abs(mine[0] - rate):.2g}; rates are those of the geometric centre, with the "
+                "signs of x, y and theta"
+            )
+            return
 
 
 def _explained(motion: Trajectory, path: _Path, off: float) -> list[str]:

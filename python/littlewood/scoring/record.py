@@ -26,7 +26,7 @@ _FEWEST = 3
 
 _COLUMNS = ("time", "x", "y", "theta")
 _SI_COLUMNS = ("time_s", "x_m", "y_m", "theta_rad")
-_RATES = ("x_rate", "y_rate", "theta_rate")
+RATES = ("x_rate", "y_rate", "theta_rate")
 _SI_RATES = ("x_rate_m_per_s", "y_rate_m_per_s", "theta_rate_rad_per_s")
 _CONTACT = "contact"
 _ALSO = {"centre_y": "y", "centre_y_m": "y_m"}
@@ -71,10 +71,10 @@ class Record:
     theta_rate: Reals | None = None
 
     def __post_init__(self) -> None:
-        given = [name for name in _RATES if getattr(self, name) is not None]
-        if 0 < len(given) < len(_RATES):
+        given = [name for name in RATES if getattr(self, name) is not None]
+        if 0 < len(given) < len(RATES):
             raise ValueError(
-                f"{', '.join(given)} without the others: the rates are {', '.join(_RATES)}, or none"
+                f"{', '.join(given)} without the others: the rates are {', '.join(RATES)}, or none"
             )
         for name in (*_COLUMNS, *given):
             object.__setattr__(self, name, np.array(reals(getattr(self, name), name)))
@@ -126,7 +126,7 @@ class Record:
     def kept(self, which: npt.NDArray[np.bool_]) -> Record:
         """Return some of the instants."""
         columns: dict[str, Any] = {
-            name: getattr(self, name) for name in (*_COLUMNS, _CONTACT, *_RATES)
+            name: getattr(self, name) for name in (*_COLUMNS, _CONTACT, *RATES)
         }
         parts: dict[str, Any] = {
             name: None if all_ is None else all_[which] for name, all_ in columns.items()
@@ -263,7 +263,7 @@ def _wanted(table: TextTable, names: list[str], units: Units | None) -> list[str
     if has_si and units is None:
         hint = f"a hoop with units reads it; for this one write {','.join(_COLUMNS)}"
         raise table.refusal("is in SI units, and the hoop has none", column=has_si[0], hint=hint)
-    rates = _SI_RATES if has_si else _RATES
+    rates = _SI_RATES if has_si else RATES
     wanted = [
         *(_SI_COLUMNS if has_si else _COLUMNS),
         *(rates if any(name in names for name in rates[:2]) else ()),

@@ -158,6 +158,23 @@ class Score:
         return max(0.0, float(np.max(lasting)))
 
     @property
+    def beyond_rates(self) -> float | None:
+        """Largest way (R, rad) of x, y or θ that the rates of the record do not account for.
+
+        From one instant to the next a coordinate moves with a rate between those at both, whatever
+        the scheme; what it moves beyond is added up. None for a record without rates.
+        """
+        if self.record.rates is None:
+            return None
+        step, worst = np.diff(self.record.time), 0.0
+        for name, rate in zip(_CHANNELS, self.record.rates, strict=True):
+            moved = np.diff(getattr(self.record, name))
+            at = rate[1:] * step, rate[:-1] * step
+            beyond = moved - np.clip(moved, np.minimum(*at), np.maximum(*at))
+            worst = max(worst, float(np.max(np.abs(np.cumsum(beyond)))))
+        return worst
+
+    @property
     def between(self) -> tuple[tuple[float, float, float], ...]:
         """Largest distance of the states from one exact event to the next: begin, end, distance."""
         times = [event.exact for event in self.events if event.exact is not None]
@@ -196,6 +213,7 @@ class Score:
             "energy": {"gained": self.energy_gained, "error_at_end": float(self.energy_error[-1])},
             "slip_while_rolling": self.slip_while_rolling,
             "penetration": self.penetration,
+            "beyond_rates": self.beyond_rates,
         }
 
     def plot(self) -> Figure:
@@ -253,6 +271,8 @@ def _lines(score: Score) -> list[str]:
         f"units               "
         f"{'s, m, rad, J' if units else '(2.9): time √(R/g), length R, angle rad, energy m₂gR'}",
     ]
+    if score.beyond_rates is not None:
+        lines.insert(-2, f"moved beyond rates  {score.beyond_rates:.2e} R or rad")
     return lines
 
 

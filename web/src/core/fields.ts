@@ -1,6 +1,5 @@
 // The quantities of a problem in either system of units, and what only the page says of them.
 
-import { brief } from '../dom';
 import {
   DIMENSIONLESS,
   type DimensionlessNumber,
@@ -117,20 +116,6 @@ export function readField(quantity: Quantity, text: string): number | null {
   const [, sign, factor, part] = turns;
   const value = (Number(factor || 1) * Math.PI) / Number(part ?? 1);
   return Number.isFinite(value) ? (sign === '' || sign === '+' ? value : -value) : null;
-}
-
-/** A start in words, its rate in the units that are shown. */
-export function sayStart(theta: number, rate: number, unit: string): string {
-  const degrees = Math.round((theta * 180) / Math.PI);
-  const side = degrees > 0 ? 'left' : 'right';
-  const place =
-    degrees === 0
-      ? 'at the top'
-      : Math.abs(degrees) === 180
-        ? 'at the bottom'
-        : `${Math.abs(degrees)}° to the ${side} of the top`;
-  if (rate === 0) return `${place}, at rest`;
-  return `${place}, turning ${rate > 0 ? 'counterclockwise' : 'clockwise'} at ${brief(Math.abs(rate), 3)} ${unit}`;
 }
 
 /** A message of the core with the signs of quantities instead of the names that flags have. */

@@ -1,12 +1,12 @@
 // The outcome map as a picture, refined by workers while nothing else happens.
 
-import { laterModule } from '../core/module';
 import { hopClasses } from '../core/wasm';
 import type { Palette } from '../generated/palette';
 import { CLASSES, type Class } from '../generated/tables';
 import type { Shows } from '../state/state';
+import { startCrew, WORKERS } from './crew';
 import { type MapAnswer, type MapQuestion, type MapRequest, partOf } from './messages';
-import { spawn } from './spawn';
+import { pixelOf } from './pixels';
 
 /** Starts each way of the finest level. */
 const SIDE = 512;
@@ -17,10 +17,6 @@ export interface HopClass {
   most: number;
   colour: number;
 }
-
-/** Workers at most; one processor is left to the page. */
-const MOST = 16;
-const WORKERS = Math.min(Math.max(navigator.hardwareConcurrency - 1, 1), MOST);
 
 /**
  * Milliseconds for which a newer hoop waits for the map of an older one to be as fine as it is while a slider moves. One worker is
@@ -62,25 +58,6 @@ export class OutcomePicture {
     this.picture.width = SIDE;
     this.picture.height = SIDE;
     this.palette = palette;
-  }
-
-  private start(): Worker[] {
-    const workers = Array.from({ length: WORKERS }, () => spawn());
-    for (const worker of workers) {
-      worker.onmessage = ({ data }: MessageEvent<MapAnswer>) => {
-        if (data.kind === 'failed') this.failed(data.message);
-        else if (data.kind === 'level' && data.id === this.id) this.take(data);
-      };
-      worker.onerror = (event) => this.failed(event.message);
-    }
-    laterModule().then(
-      (module) => {
-        for (const worker of workers)
-          worker.postMessage({ kind: 'core', module } satisfies MapQuestion);
-      },
-      (error: unknown) => this.failed(String(error)),
-    );
-    return workers;
   }
 
   /** Takes a level of a worker, and shows it with those of the others. */
@@ -128,7 +105,10 @@ export class OutcomePicture {
     this.begun = performance.now();
     this.levels.clear();
     this.id += 1;
-    if (this.workers.length === 0) this.workers = this.start();
+    if (this.workers.length === 0)
+      this.workers = startCrew((answer) => {
+        if (answer.kind === 'level' && answer.id === this.id) this.take(answer);
+      }, this.failed);
     const of = this.workers.length;
     this.workers.forEach((worker, part) => {
       const request: MapRequest = { ...wanted, side: SIDE, id: this.id, part, of };
@@ -148,7 +128,7 @@ export class OutcomePicture {
     const pixels = new Uint32Array(image.data.buffer);
     const colours =
       this.shows === 'outcome'
-        ? coloursOf(CLASSES.map((it) => this.palette.class[it]))
+        ? Uint32Array.from(CLASSES, (it) => pixelOf(this.palette.class[it]))
         : this.hopColours();
     const counts = new Uint32Array(256);
     for (let i = 0; i < pixels.length; i++) {
@@ -164,12 +144,10 @@ export class OutcomePicture {
   /** The pixel of each number of landings. */
   private hopColours(): Uint32Array {
     const { hops, ink } = this.palette;
-    return coloursOf(
-      Array.from({ length: 256 }, (_, landings) => {
-        const found = this.hops.find(({ least, most }) => least <= landings && landings <= most);
-        return found === undefined ? ink.paper : hops[found.colour]!;
-      }),
-    );
+    return Uint32Array.from({ length: 256 }, (_, landings) => {
+      const found = this.hops.find(({ least, most }) => least <= landings && landings <= most);
+      return pixelOf(found === undefined ? ink.paper : hops[found.colour]!);
+    });
   }
 }
 
@@ -182,12 +160,4 @@ function hopClassesOf(bounds: Uint8Array, colours: number): HopClass[] {
     most: bounds[2 * i + 1]!,
     colour: count === 1 ? first : Math.round(first + ((colours - 1 - first) * i) / (count - 1)),
   }));
-}
-
-/** Colours as an image holds its pixels. */
-function coloursOf(colours: readonly string[]): Uint32Array {
-  return Uint32Array.from(colours, (colour) => {
-    const [red, green, blue] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
-    return new Uint32Array(Uint8Array.of(red!, green!, blue!, 255).buffer)[0]!;
-  });
 }

@@ -3,20 +3,29 @@
 
 import type { Shows } from '../state/state';
 
-export interface MapRequest {
+interface PlaneRequest {
   /** Dimensionless numbers of the problem. */
   numbers: Float64Array;
+  rate: number;
+  side: number;
+  /** Which of the rows, or blocks of rows, the worker computes: every `of`-th from `part`. */
+  part: number;
+  of: number;
+}
+
+export interface MapRequest extends PlaneRequest {
   restitution: number | undefined;
   law: string | undefined;
   shows: Shows;
-  rate: number;
-  side: number;
-  /** Which of the blocks of rows the worker computes: every `of`-th from `part`. */
-  part: number;
-  of: number;
   /** Tells the answers to one request from those to an older one. */
   id: number;
 }
+
+/** Asks for the events of the motions of all starts of a plane. */
+export type EventsRequest = PlaneRequest;
+
+/** Numbers of each start among its events: its class, and the times of its first slip, its lift-off and its end. */
+export const EVENT_NUMBERS = 4;
 
 /** Rows of a block, those of the coarsest level: a block is computed by one worker at every level. */
 export const BLOCK = 16;
@@ -29,7 +38,8 @@ export function partOf(row: number, side: number, isFolded: boolean, of: number)
 
 export type MapQuestion =
   | { kind: 'core'; module: WebAssembly.Module }
-  | { kind: 'map'; request: MapRequest };
+  | { kind: 'map'; request: MapRequest }
+  | { kind: 'events'; request: EventsRequest };
 
 export type MapAnswer =
   | { kind: 'ready' }
@@ -45,4 +55,5 @@ export type MapAnswer =
       milliseconds: number;
       last: boolean;
     }
+  | { kind: 'events'; row: number; events: Float64Array }
   | { kind: 'failed'; message: string };

@@ -2,7 +2,14 @@
 
 import type { Shows } from '../state/state';
 import init, { begin, MapSubject, OutcomeMap, Problem } from '../wasm/later/littlewood_web.js';
-import { BLOCK, type MapAnswer, type MapQuestion, type MapRequest, partOf } from './messages';
+import {
+  BLOCK,
+  type EventsRequest,
+  type MapAnswer,
+  type MapQuestion,
+  type MapRequest,
+  partOf,
+} from './messages';
 
 const SUBJECT: Readonly<Record<Shows, MapSubject>> = {
   outcome: MapSubject.Outcome,
@@ -65,6 +72,18 @@ async function work(request: MapRequest): Promise<void> {
   }
 }
 
+/** Sends the events of each row as soon as they are known. */
+function follow({ numbers, rate, side, part, of }: EventsRequest): void {
+  const problem = Problem.dimensionless(numbers);
+  const map = new OutcomeMap(problem, rate, side, MapSubject.Outcome);
+  problem.free();
+  for (let row = part; row < side; row += of) {
+    const events = map.events(row, row + 1);
+    answer({ kind: 'events', row, events }, [events.buffer]);
+  }
+  map.free();
+}
+
 async function processRequests(): Promise<void> {
   if (working) return;
   working = true;
@@ -81,9 +100,11 @@ async function processRequests(): Promise<void> {
 }
 
 let started = false;
+let following: EventsRequest | null = null;
 
 self.onmessage = async ({ data }: MessageEvent<MapQuestion>) => {
   if (data.kind === 'map') latest = data.request;
+  else if (data.kind === 'events') following = data.request;
   else {
     try {
       globalThis.littlewoodPanicked = (message) => answer({ kind: 'failed', message });
@@ -96,5 +117,10 @@ self.onmessage = async ({ data }: MessageEvent<MapQuestion>) => {
     started = true;
     answer({ kind: 'ready' });
   }
-  if (started) void processRequests();
+  if (!started) return;
+  if (following !== null) {
+    follow(following);
+    following = null;
+  }
+  void processRequests();
 };

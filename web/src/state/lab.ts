@@ -64,6 +64,8 @@ export class Lab {
   pinned: { problem: ProblemState; motion: Motion } | null = null;
   /** Whether what comes is to be guessed, and is not shown. */
   isSecret = false;
+  /** Whether a lesson hides the arrows. */
+  hidesArrows = false;
   /** Whether something is being dragged. */
   held = false;
   /** What was known before the drag: of which landing, and what the derivatives say of it. */
@@ -242,8 +244,13 @@ export class Lab {
     values: Partial<Record<DimensionlessNumber, number>>,
     view: Partial<ViewState> = {},
   ): boolean {
+    return this.set(this.shownOf(values), view);
+  }
+
+  /** Quantities without dimension as those of the system that is shown. */
+  shownOf(values: Partial<Record<DimensionlessNumber, number>>): Given {
     const { problem } = this.state;
-    if (problem.system === 'dimensionless') return this.set(values, view);
+    if (problem.system === 'dimensionless') return values;
     const { particle_mass_kg, radius_m, gravity_m_per_s2 } = problem.values;
     const plain: Values<'dimensionless'> = { ...this.plain, ...values };
     const changed = Problem.dimensionless(inOrder('dimensionless', plain));
@@ -251,7 +258,7 @@ export class Lab {
     changed.free();
     const wanted = QUANTITIES.filter((it) => it in values).map((it) => inSystem('si', it));
     const entries = Object.entries(si).filter(([name]) => wanted.some((it) => it === name));
-    return this.set(Object.fromEntries(entries), view);
+    return Object.fromEntries(entries);
   }
 
   /** Sets a quantity of the system that is shown; one that may be left out may be none. */

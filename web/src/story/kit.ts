@@ -8,6 +8,8 @@ import type { Palette } from '../generated/palette';
 import { CAUSE_LABELS, CLASS_LABELS, QUANTITY_ROWS } from '../generated/tables';
 import { Sheet, type Size } from '../views/canvas';
 import { type HoopHost, HoopWidget } from '../views/hoop-widget';
+import { rich } from './rich';
+import { LIBRARY } from './text';
 
 /** What a text file says of a picture. */
 export interface Words {
@@ -25,6 +27,8 @@ export interface Common {
   pause: string;
   time: string;
   laboratory: string;
+  /** What is taken hold of. */
+  weight: string;
 }
 
 export type Draw = (c: CanvasRenderingContext2D, size: Size, palette: Palette) => void;
@@ -135,6 +139,8 @@ export class Player {
     private readonly course: () => Course,
     text: (time: number) => string,
     private readonly changed: () => void,
+    /** It has moved by itself, in a frame of the screen. */
+    private readonly moved: () => void,
     private readonly silence: (playing: boolean) => void,
     first: number | null,
   ) {
@@ -189,6 +195,11 @@ export class Player {
     else this.frame = requestAnimationFrame(this.tick);
   }
 
+  /** Plays by itself, for those who do not mind. */
+  playUnlessStill(): void {
+    if (!STILL.matches) this.play();
+  }
+
   pause(): void {
     if (!this.playing) return;
     cancelAnimationFrame(this.frame);
@@ -205,7 +216,8 @@ export class Player {
     this.last = now;
     this.frame = requestAnimationFrame(this.tick);
     if (this.now >= to) this.pause();
-    this.show();
+    this.slider.show(this.part);
+    this.moved();
   };
 
   /** From event to event, without any motion in between. */
@@ -240,6 +252,7 @@ export class Picture {
   private readonly players: Player[] = [];
   private draw: Draw = () => undefined;
   private says: () => string = () => '';
+  private said = '';
   private link: (() => string) | null = null;
   private frame = 0;
   private inSight = false;
@@ -293,6 +306,7 @@ export class Picture {
       this.canvas,
       host(() => this.palette),
       this.changed,
+      this.common.weight,
     );
     this.begin(says, link);
   }
@@ -327,7 +341,8 @@ export class Picture {
       this.common,
       course,
       text,
-      () => this.changed(),
+      this.changed,
+      this.paintNow,
       (playing) => this.sentence.setAttribute('aria-busy', String(playing)),
       first,
     );
@@ -366,7 +381,7 @@ export class Picture {
 
   /** A word of the text, or the library's. */
   word(name: string): string {
-    const word = this.words.controls[name] ?? OF_THE_LIBRARY[name];
+    const word = this.words.controls[name] ?? LIBRARY[name] ?? OF_THE_LIBRARY[name];
     if (word === undefined) throw new Error(`the picture ${this.id} has no word for ${name}`);
     return word;
   }
@@ -384,10 +399,15 @@ export class Picture {
   readonly changed = (): void => {
     this.stale = true;
     if (!this.inSight || this.frame !== 0) return;
-    this.frame = requestAnimationFrame(() => {
-      this.frame = 0;
-      this.paint();
-    });
+    this.frame = requestAnimationFrame(this.paintNow);
+  };
+
+  /** Draws it now, where a frame of the screen has begun: to wait for the next would halve their number. */
+  private readonly paintNow = (): void => {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    if (this.inSight) this.paint();
+    else this.stale = true;
   };
 
   private paint(): void {
@@ -396,7 +416,10 @@ export class Picture {
     if (this.sheet) this.draw(this.sheet.clear(), this.size, this.palette);
     this.widget?.paint();
     const sentence = this.says();
-    if (this.sentence.textContent !== sentence) this.sentence.textContent = sentence;
+    if (this.said !== sentence) {
+      this.said = sentence;
+      this.sentence.replaceChildren(...rich(sentence, {}, String));
+    }
     if (this.link !== null) this.laboratory.href = this.link();
     for (const { element, place } of this.handles) {
       const [x, y] = place();

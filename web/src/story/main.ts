@@ -8,6 +8,7 @@ import '../style/story.css';
 import { namesAgree } from '../core/motion';
 import { startCore } from '../core/wasm';
 import { byId, make } from '../dom';
+import { LANGUAGE, otherLanguage } from '../language';
 import type { Theme } from '../state/state';
 import { isDark, onSystemTheme, paletteOf, setTheme } from '../ui/theme';
 import { addressOf } from './addresses';
@@ -15,13 +16,14 @@ import type { Picture } from './kit';
 import { numbersOfText } from './numbers';
 import { pictureOf } from './pictures';
 import { type Filling, rich } from './rich';
-import { COMMON, LANGUAGE, type Part, SOURCES, STORY } from './text';
+import { COMMON, type Part, SOURCES, STORY } from './text';
 
 let theme: Theme = 'auto';
 const main = byId('story', HTMLElement);
 const themeButton = byId('theme', HTMLButtonElement);
 
 document.documentElement.lang = LANGUAGE;
+document.title = STORY.title;
 byId('skip', HTMLAnchorElement).textContent = COMMON.skip;
 themeButton.title = COMMON.theme;
 themeButton.setAttribute('aria-label', COMMON.theme);
@@ -32,6 +34,7 @@ try {
   if (!namesAgree()) throw new Error('page and core have different versions');
   tell(numbersOfText());
   document.documentElement.dataset.ready = 'true';
+  performance.mark('ready');
 } catch (error) {
   show(String(error));
 }
@@ -48,26 +51,35 @@ function tell(numbers: Filling): void {
     make('p', {}, ...rich(text, numbers, addressOf));
   for (const [name, words] of Object.entries(COMMON.links))
     themeButton.before(make('a', { href: addressOf(name) }, words), ' ');
+  const other = otherLanguage();
+  themeButton.before(make('a', { href: other.address, lang: other.language }, other.name), ' ');
   const pictures: Picture[] = [];
-  const section = ({ id, heading, body }: Part): HTMLElement => {
-    const parts = body.map((it) => {
+  const bodyOf = (body: Part['body']): HTMLElement[] =>
+    body.map((it) => {
       if (typeof it === 'string') return paragraph(it);
       if ('quote' in it) {
         const source = make('footer', {}, ...rich(it.source, numbers, addressOf));
         return make('blockquote', {}, paragraph(it.quote), source);
       }
+      if ('riddle' in it)
+        return make(
+          'details',
+          { class: 'riddle' },
+          make('summary', {}, it.riddle),
+          paragraph(it.answer),
+        );
       const picture = pictureOf(it.picture, COMMON, paletteOf(theme));
       pictures.push(picture);
       return picture.figure;
     });
-    return make(
+  const section = ({ id, heading, body }: Part): HTMLElement =>
+    make(
       'section',
       { id, 'aria-labelledby': `${id}-heading` },
       make('h2', { id: `${id}-heading` }, heading),
-      ...parts,
+      ...bodyOf(body),
     );
-  };
-  const lede = make('div', { class: 'lede' }, ...STORY.lede.map(paragraph));
+  const lede = make('div', { class: 'lede' }, ...bodyOf(STORY.lede));
   main.append(make('h1', {}, STORY.title), lede, ...STORY.parts.map(section));
   const sources = Object.entries(SOURCES.list).map(([name, text]) =>
     make('li', { id: `source-${name}` }, ...rich(text, numbers, addressOf)),

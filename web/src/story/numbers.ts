@@ -5,6 +5,7 @@ import type { Event, Motion } from '../core/motion';
 import { classOf } from '../core/wasm';
 import { brief } from '../dom';
 import { CLASSES, type Class } from '../generated/tables';
+import { withMark } from '../language';
 import {
   climbingDisc,
   FIGURE_7,
@@ -21,25 +22,26 @@ import {
   thinHoop,
 } from './hoops';
 import type { Filling } from './rich';
+import { DECIMAL } from './text';
 
 /** The usual number of digits. */
 const DIGITS = 3;
 
 export function plain(value: number, digits = DIGITS): string {
-  return brief(value, digits);
+  return withMark(brief(value, digits), DECIMAL);
 }
 
 export function degrees(angle: number, digits = DIGITS): string {
-  return `${brief((angle * 180) / Math.PI, digits)}°`;
+  return `${plain((angle * 180) / Math.PI, digits)}°`;
 }
 
 /** A part of one, in per cent where that is short. */
 export function percent(part: number, digits = 2): string {
-  return `${brief(100 * part, digits)}\u00a0%`;
+  return `${plain(100 * part, digits)}\u00a0%`;
 }
 
 export function millimetres(metres: number): string {
-  return `${brief(1000 * metres, 2)}\u00a0mm`;
+  return `${plain(1000 * metres, 2)}\u00a0mm`;
 }
 
 /** The radius of the disc on the ramp, in metres and in words. */
@@ -131,6 +133,9 @@ export function distanceOf(a: Motion, b: Motion): number {
 /** The push of the hop in the text. */
 export const PUSH = 0.9;
 
+/** The rolling resistance of the real hoop of the race, over its radius. */
+export const REAL_RESISTANCE = 0.01;
+
 /** The film of a hula hoop. */
 export const FILM_RATE = 240;
 
@@ -210,6 +215,7 @@ export function numbersOfText(): Filling {
     boundary(1, 1.35, (before) => turnOf(THREE[0]!, before) < 2 * Math.PI),
   );
 
+  found['race.resistance'] = plain(REAL_RESISTANCE);
   found['bounce.e'] = plain(BOUNCE);
 
   const jams = (mu: number): boolean => {

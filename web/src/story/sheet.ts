@@ -6,13 +6,15 @@ import '../style/base.css';
 import '../style/sheet.css';
 import { startCore } from '../core/wasm';
 import { byId, make } from '../dom';
+import { LANGUAGE } from '../language';
 import { addressOf } from './addresses';
 import { numbersOfText } from './numbers';
 import { rich } from './rich';
-import { COMMON, LANGUAGE, SHEET } from './text';
+import { COMMON, SHEET } from './text';
 
 const main = byId('sheet', HTMLElement);
 document.documentElement.lang = LANGUAGE;
+document.title = SHEET.title;
 
 try {
   await startCore((message) => show(message));

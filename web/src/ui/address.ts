@@ -3,7 +3,7 @@
 
 import { byId } from '../dom';
 import type { Lab } from '../state/lab';
-import { VIEW } from '../state/state';
+import { type ProblemState, VIEW } from '../state/state';
 import { format } from '../state/url';
 
 /** As the document of a notebook's frame the page has no address. */
@@ -25,7 +25,7 @@ export class Address {
 
   constructor(
     private readonly lab: Lab,
-    /** The lesson that is shown, which the address names first. */
+    /** The lesson that is shown as a part of a link, which stands first. */
     private readonly lesson: () => string | null,
   ) {
     this.problem = this.said;
@@ -52,20 +52,27 @@ export class Address {
     return format({ problem: this.lab.state.problem, view: VIEW });
   }
 
-  /** The text after #. A motion that is pinned is a link in it. */
+  /** The text after #. */
   get fragment(): string {
-    const [lesson, { pinned, state }] = [this.lesson(), this.lab];
-    const pin =
-      pinned === null ? null : encodeURIComponent(format({ problem: pinned.problem, view: VIEW }));
-    const head = Object.entries({ lesson, pin }).flatMap(([key, text]) =>
-      text === null ? [] : [`${key}=${text}`],
-    );
-    return [...head, format(state)].join('&');
+    return this.fragmentOf(this.lab.state.problem);
   }
 
-  /** Without an address this is the fragment alone. */
+  /** The same of another problem. A motion that is pinned is a link in it. */
+  private fragmentOf(problem: ProblemState, lesson = this.lesson()): string {
+    const { pinned, state } = this.lab;
+    const pin =
+      pinned === null ? null : encodeURIComponent(format({ problem: pinned.problem, view: VIEW }));
+    const head = [lesson, pin === null ? null : `pin=${pin}`].filter((it) => it !== null);
+    return [...head, format({ ...state, problem })].join('&');
+  }
+
   get text(): string {
-    const fragment = `#${this.fragment}`;
+    return this.textOf(this.lab.state.problem);
+  }
+
+  /** The link of a problem, shown as this one. Without an address it is the fragment alone. */
+  textOf(problem: ProblemState, lesson = this.lesson()): string {
+    const fragment = `#${this.fragmentOf(problem, lesson)}`;
     return HAS_ADDRESS
       ? `${location.origin}${location.pathname}${location.search}${fragment}`
       : fragment;

@@ -5,7 +5,7 @@ import { brief, byId, make, STILL } from '../dom';
 import { COLUMN_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import type { Clock } from './clock';
-import { filled, LESSON_NAMES, LESSONS, type LessonName, TEXTS } from './texts';
+import { type Asked, askedOf, filled, LESSON_NAMES, LESSONS, type Lesson, TEXTS } from './texts';
 
 export class Ask {
   private readonly pane = byId('question', HTMLHeadingElement);
@@ -14,8 +14,10 @@ export class Ask {
   private readonly hop = byId('hop', HTMLParagraphElement);
   private readonly choice = byId('lesson', HTMLSelectElement);
   /** The lesson that is shown; none for the question of the simple view. */
-  lesson: LessonName | null = null;
+  asked: Asked | null = null;
   private guess: number | null = null;
+  /** The place of a lesson of one's own in the list. */
+  private readonly own = make('option', { value: 'own' }, TEXTS.own);
   /** Whether the motion has answered since the question was asked: what comes is no secret any more. */
   private isKnown = false;
 
@@ -23,25 +25,36 @@ export class Ask {
     private readonly lab: Lab,
     private readonly clock: Clock,
     private readonly isAsking: () => boolean,
-    open: (lesson: LessonName | null) => void,
+    open: (asked: Asked | null) => void,
   ) {
     this.choice.append(
       make('option', { value: '' }, TEXTS.none),
       ...LESSON_NAMES.map((name) => make('option', { value: name }, LESSONS[name].title)),
+      this.own,
     );
-    this.choice.addEventListener('change', () =>
-      open(LESSON_NAMES.find((it) => it === this.choice.value) ?? null),
-    );
+    this.choice.addEventListener('change', () => {
+      const name = LESSON_NAMES.find((it) => it === this.choice.value);
+      open(name === undefined ? null : askedOf(name));
+    });
+  }
+
+  private get lesson(): Lesson | null {
+    return this.asked?.lesson ?? null;
   }
 
   /** Shows a lesson, or the question of the simple view. */
-  open(lesson: LessonName | null): void {
-    this.lesson = lesson;
+  open(asked: Asked | null): void {
+    this.asked = asked;
     this.guess = null;
     this.isKnown = false;
-    this.choice.value = lesson ?? '';
-    document.documentElement.toggleAttribute('data-lesson', lesson !== null);
-    const { question, guesses } = lesson === null ? TEXTS.opening : LESSONS[lesson];
+    const isOwn = asked !== null && asked.name === null;
+    this.own.hidden = !isOwn;
+    this.choice.value = isOwn ? this.own.value : (asked?.name ?? '');
+    const root = document.documentElement;
+    root.toggleAttribute('data-lesson', asked !== null);
+    this.lab.hidesArrows = asked?.hides.includes('arrows') ?? false;
+    root.dataset.hides = asked?.hides.join(' ') ?? '';
+    const { question, guesses } = this.lesson ?? TEXTS.opening;
     this.pane.textContent = question;
     this.guesses.replaceChildren(
       ...guesses.map((text, i) => {
@@ -74,7 +87,7 @@ export class Ask {
   private get answerTime(): number {
     const { motion } = this.lab;
     if (this.lesson === null) return motion.hop?.start ?? motion.end;
-    const { until } = LESSONS[this.lesson];
+    const { until } = this.lesson;
     if (until === 'start') return motion.begin;
     if (until === 'landing') return motion.hop?.end ?? motion.end;
     const instant = Number(until);
@@ -128,8 +141,7 @@ export class Ask {
     } = this;
     const said = (right: number): string =>
       guess === null ? '' : guess === right ? TEXTS.right : TEXTS.wrong;
-    if (lesson !== null)
-      return [said(LESSONS[lesson].right), LESSONS[lesson].answer].join(' ').trim();
+    if (lesson !== null) return [said(lesson.right), lesson.answer].join(' ').trim();
     const { hops, stays, again } = TEXTS.opening;
     const found =
       hop === null

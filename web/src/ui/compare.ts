@@ -4,15 +4,16 @@ import { numbersOf } from '../core/fields';
 import type { Motion } from '../core/motion';
 import { brief, byId } from '../dom';
 import { COLUMN_ROWS, OUTCOME_ROWS, QUANTITY_ROWS } from '../generated/tables';
+import { withMark } from '../language';
 import type { Lab } from '../state/lab';
 import { numberOf } from '../state/state';
+import { filled, TEXTS } from './texts';
 
 export class Compare {
   private readonly button = byId('pin', HTMLButtonElement);
   private readonly text = byId('compared', HTMLParagraphElement);
 
   constructor(private readonly lab: Lab) {
-    this.button.title = 'Keep this motion, to compare others with it';
     this.button.addEventListener('click', () =>
       lab.pin(lab.pinned === null ? lab.state.problem : null),
     );
@@ -24,8 +25,8 @@ export class Compare {
     this.text.hidden = pinned === null;
     if (pinned === null) return;
     this.text.textContent = [
-      `Pinned: ${this.fate(pinned.motion)}.`,
-      `Now: ${this.fate(motion)}.`,
+      filled(TEXTS.compare.pinned, { fate: this.fate(pinned.motion) }),
+      filled(TEXTS.compare.now, { fate: this.fate(motion) }),
       this.differences(),
     ]
       .join(' ')
@@ -41,11 +42,15 @@ export class Compare {
       },
     } = this.lab;
     if (hop !== null)
-      return `hops ${brief(hop.height * units.gap, 3)} ${COLUMN_ROWS.gap.units[system]} high`;
+      return filled(TEXTS.compare.hops, {
+        height: `${brief(hop.height * units.gap, 3)} ${COLUMN_ROWS.gap.units[system]}`,
+      });
     const last = events.at(-1)!;
+    const event = TEXTS.events?.[last.name]?.replace(/\.$/, '');
+    if (event !== undefined) return filled(TEXTS.compare.ends, { event });
     return last.name in OUTCOME_ROWS
       ? OUTCOME_ROWS[last.name as keyof typeof OUTCOME_ROWS].label
-      : `ends by ${last.label}`;
+      : filled(TEXTS.compare.ends, { event: last.label });
   }
 
   /** The numbers in which the two differ, in the units that are shown. */
@@ -54,9 +59,10 @@ export class Compare {
     if (pinned === null || pinned.problem.system !== state.problem.system) return '';
     const changed = [...numbersOf(state.problem.system), 'restitution' as const].flatMap((name) => {
       const [before, now] = [numberOf(pinned.problem, name), numberOf(state.problem, name)];
-      const said = (value: number | null): string => (value === null ? 'none' : brief(value, 4));
+      const said = (value: number | null): string =>
+        value === null ? TEXTS.compare.none : withMark(brief(value, 4), TEXTS.decimal);
       return before === now ? [] : [`${QUANTITY_ROWS[name].sign} ${said(before)} → ${said(now)}`];
     });
-    return changed.length === 0 ? 'Change something.' : `${changed.join(', ')}.`;
+    return changed.length === 0 ? TEXTS.compare.change : `${changed.join(', ')}.`;
   }
 }

@@ -11,6 +11,14 @@ export type View = 'hoop' | 'plane' | 'plots' | 'impact';
 /** How to draw a view on a context of a size. */
 export type Painter = (c: CanvasRenderingContext2D, width: number, height: number) => void;
 
+/** The same of an instant. */
+export type PainterAt = (
+  c: CanvasRenderingContext2D,
+  width: number,
+  height: number,
+  time: number,
+) => void;
+
 const SIZES: Record<View, [number, number]> = {
   hoop: [900, 600],
   plane: [900, 600],
@@ -20,6 +28,39 @@ const SIZES: Record<View, [number, number]> = {
 
 /** Points of the plots in a picture. */
 const POINTS = 2000;
+
+/** The size of films. */
+const FILM = [720, 480] as const;
+
+/** A film of the hoop. Where this browser cannot make it the reason is thrown. */
+export async function filmOf(
+  format: 'gif' | 'mp4',
+  lab: Lab,
+  paint: PainterAt,
+  palette: Palette,
+  progress: (part: number) => void,
+): Promise<Blob> {
+  const { gifOf, LONGEST, mp4Codec, mp4Of } = await import('./film');
+  const [width, height] = FILM;
+  const { motion, units, state } = lab;
+  const span = motion.end - motion.begin;
+  const seconds = Math.min((span * units.time) / state.view.speed, LONGEST);
+  const reel = {
+    width,
+    height,
+    seconds,
+    progress,
+    draw: (c: CanvasRenderingContext2D, part: number): void => {
+      c.fillStyle = palette.ink.paper;
+      c.fillRect(0, 0, width, height);
+      paint(c, width, height, motion.begin + part * span);
+    },
+  };
+  if (format === 'gif') return gifOf(reel);
+  const codec = await mp4Codec(width, height);
+  if (codec === null) throw new Error('this browser does not encode video; take the GIF');
+  return mp4Of(reel, codec);
+}
 
 export function save(name: string, content: Blob): void {
   const url = URL.createObjectURL(content);
@@ -45,7 +86,16 @@ export function painterOfPlots(lab: Lab, palette: Palette): Painter {
     drawPlots(
       c,
       { width, height },
-      { motion, samples, palette, time, units, system, pinned: pinned?.motion ?? null },
+      {
+        motion,
+        samples,
+        palette,
+        time,
+        units,
+        system,
+        pinned: pinned?.motion ?? null,
+        available: lab.plain.mu_s,
+      },
     );
 }
 

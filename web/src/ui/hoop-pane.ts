@@ -1,6 +1,6 @@
 // The pane of the hoop, and the handle that tilts its plane.
 
-import { HULA_SECOND, sayStart } from '../core/fields';
+import { HULA_SECOND } from '../core/fields';
 import type { Motion, Sample } from '../core/motion';
 import { brief, byId, STILL } from '../dom';
 import type { Palette } from '../generated/palette';
@@ -9,6 +9,7 @@ import type { Lab, Landing } from '../state/lab';
 import { type Camera, drawHoop, type HoopScene, seen } from '../views/hoop';
 import { HoopWidget } from '../views/hoop-widget';
 import type { Clock } from './clock';
+import { sayStart, TEXTS } from './texts';
 
 /** Steepest slope of the handle; that of the field is any below π/2. */
 const STEEPEST = 1.5;
@@ -67,6 +68,7 @@ export class HoopPane {
         },
       },
       draw,
+      TEXTS.page.weight_handle,
     );
     const follow = byId('follow', HTMLInputElement);
     follow.addEventListener('change', () => lab.setView({ follow: follow.checked }));
@@ -87,18 +89,23 @@ export class HoopPane {
   }
 
   private get scene(): HoopScene {
-    const { motion, time, plain, problem, state, units, pinned } = this.lab;
+    return this.sceneAt(this.lab.time);
+  }
+
+  private sceneAt(time: number): HoopScene {
+    const { motion, plain, problem, state, units, pinned } = this.lab;
     const { landing } = this;
     const { system } = state.problem;
     const isPlain = this.isPlain();
     const force = 1 + plain.mass_ratio;
-    const inUnits = `weight: ${brief(force * units.normal, 3)} ${COLUMN_ROWS.normal.units[system]}`;
+    const inUnits = `${TEXTS.page.weight}: ${brief(force * units.normal, 3)} ${COLUMN_ROWS.normal.units[system]}`;
     return {
       axis: { radius: units.x, unit: COLUMN_ROWS.x.units[system] },
-      weight: { force, text: isPlain ? null : inUnits },
-      contact: state.view.embed || isPlain ? null : plain,
+      weight: { force, text: isPlain ? null : inUnits, name: TEXTS.page.weight },
+      contact: state.view.embed || isPlain ? null : { ...plain, words: TEXTS.contact },
       symbols: state.view.symbols && !isPlain,
       isSecret: this.lab.isSecret,
+      hidesArrows: this.lab.hidesArrows,
       pinned: pinned === null ? null : pinnedAt(pinned.motion, time),
       motion,
       sample: motion.at(time),
@@ -152,8 +159,8 @@ export class HoopPane {
     ].join(' ');
   }
 
-  drawOn(c: CanvasRenderingContext2D, width: number, height: number): void {
-    drawHoop(c, { width, height }, this.scene);
+  drawOn(c: CanvasRenderingContext2D, width: number, height: number, time = this.lab.time): void {
+    drawHoop(c, { width, height }, this.sceneAt(time));
   }
 
   /** On the plane, at the right. */

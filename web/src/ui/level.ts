@@ -3,6 +3,7 @@
 import { byId } from '../dom';
 import type { Lab } from '../state/lab';
 import { HAS_ADDRESS, IS_ALONE } from './address';
+import { TEXTS } from './texts';
 
 /** Where the browser keeps what was chosen last. */
 const KEY = 'littlewood-level';
@@ -32,13 +33,18 @@ export class Level {
     if (HAS_ADDRESS && IS_ALONE && recall() === null) this.lab.setView({ level: 'simple' });
   }
 
+  /** Whether tables are out of sight of who drags: in the simple view, and on small screens. */
+  get hidesTables(): boolean {
+    return this.isSimple || SMALL.matches;
+  }
+
   get isSimple(): boolean {
     return this.shown === 'simple';
   }
 
   private get shown(): Shown {
     const { level, embed } = this.lab.state.view;
-    if (embed) return 'full';
+    if (embed || document.documentElement.hasAttribute('data-lecture')) return 'full';
     if (level !== 'auto') return level;
     const isLesson = document.documentElement.hasAttribute('data-lesson');
     return recall() ?? (IS_ALONE && (SMALL.matches || isLesson) ? 'simple' : 'full');
@@ -50,9 +56,9 @@ export class Level {
     document.documentElement.toggleAttribute('data-words', !symbols);
     this.symbols.checked = symbols;
     byId('skip', HTMLAnchorElement).textContent = this.isSimple
-      ? 'To the weight of the hoop'
-      : 'To the start on the phase plane';
-    this.button.textContent = this.isSimple ? 'Full view' : 'Simple view';
+      ? TEXTS.page.to_weight
+      : TEXTS.page.to_start;
+    this.button.textContent = this.isSimple ? TEXTS.page.full : TEXTS.page.simple;
   }
 }
 

@@ -4,7 +4,17 @@ import { byId } from '../dom';
 import type { Palette } from '../generated/palette';
 import type { Lab } from '../state/lab';
 import { pythonLine, shellLine } from './commands';
-import { type Painter, painterOfPlots, pngOf, save, svgOf, type View } from './export';
+import {
+  filmOf,
+  type Painter,
+  type PainterAt,
+  painterOfPlots,
+  pngOf,
+  save,
+  svgOf,
+  type View,
+} from './export';
+import { TEXTS } from './texts';
 
 /** The motion at an address as a frame for another page. */
 function frameOf(address: string): string {
@@ -35,14 +45,14 @@ export class Share {
 
   constructor(
     private readonly lab: Lab,
-    private readonly painters: Record<Exclude<View, 'plots'>, Painter>,
+    private readonly painters: Record<Exclude<View, 'plots'>, Painter> & { film: PainterAt },
     private readonly palette: () => Palette,
     private readonly address: () => string,
   ) {
     byId('open-share', HTMLButtonElement).addEventListener('click', () => this.open());
     byId('copy-link', HTMLButtonElement).addEventListener('click', () => void this.shareLink());
     byId('close-share', HTMLButtonElement).addEventListener('click', () => this.dialog.close());
-    for (const id of ['link', 'frame', 'shell', 'python']) {
+    for (const id of ['link', 'frame', 'shell', 'python', 'own']) {
       const field = byId(`${id}-text`, HTMLTextAreaElement);
       byId(`copy-${id}-text`, HTMLButtonElement).addEventListener(
         'click',
@@ -61,6 +71,11 @@ export class Share {
         () => void this.picture(view, 'png'),
       );
     }
+    for (const format of ['gif', 'mp4'] as const)
+      byId(`${format}-hoop`, HTMLButtonElement).addEventListener(
+        'click',
+        () => void this.film(format),
+      );
     this.samples.addEventListener('input', () => this.count());
   }
 
@@ -93,7 +108,7 @@ export class Share {
   private async copy(text: string, field: HTMLTextAreaElement | null): Promise<void> {
     try {
       await navigator.clipboard.writeText(text);
-      this.notify('Copied.');
+      this.notify(TEXTS.page.copied);
     } catch {
       if (!field) {
         this.open();
@@ -101,7 +116,7 @@ export class Share {
       } else {
         field.select();
       }
-      this.notify('The browser does not allow copying: the text is selected instead.');
+      this.notify(TEXTS.page.not_copied);
     }
   }
 
@@ -159,6 +174,26 @@ export class Share {
       save(`${this.name}-${view}.${format}`, content);
     } catch (error) {
       this.notify(`The picture could not be made: ${String(error)}`);
+    }
+  }
+
+  /** Makes a film, and says how far it is. */
+  private async film(format: 'gif' | 'mp4'): Promise<void> {
+    const buttons = (['gif', 'mp4'] as const).map((it) => byId(`${it}-hoop`, HTMLButtonElement));
+    const said = byId('film-progress', HTMLOutputElement);
+    const progress = (part: number): void => {
+      said.textContent = `${Math.round(100 * part)} %`;
+    };
+    for (const button of buttons) button.disabled = true;
+    try {
+      const { lab, painters } = this;
+      const film = await filmOf(format, lab, painters.film, this.palette(), progress);
+      save(`${this.name}.${format}`, film);
+      said.textContent = `${this.name}.${format}, ${Math.ceil(film.size / 1000)} kB`;
+    } catch (error) {
+      said.textContent = `No film: ${error instanceof Error ? error.message : String(error)}.`;
+    } finally {
+      for (const button of buttons) button.disabled = false;
     }
   }
 }

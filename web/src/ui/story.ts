@@ -3,6 +3,7 @@
 import { type Event, modeOf } from '../core/motion';
 import { byId } from '../dom';
 import type { Lab } from '../state/lab';
+import { filled, TEXTS } from './texts';
 
 export class Story {
   private readonly mode = byId('mode', HTMLSpanElement);
@@ -31,19 +32,25 @@ export class Story {
 
   showTime(): void {
     const { motion, time } = this.lab;
-    this.friction.textContent = motion.friction(time);
+    this.friction.textContent = TEXTS.events === undefined ? motion.friction(time) : '';
     const event = motion.eventAt(time);
     if (event === this.shown) return;
     this.shown = event;
     const sample = motion.at(time);
     const mode = event.to ?? (sample === null ? null : modeOf(sample.mode));
+    const { no_motion, ends } = TEXTS.page;
+    // The library has English sentences, with numbers; a translation has some of its own.
+    const name = mode === null ? no_motion : TEXTS.events === undefined ? mode : TEXTS.modes[mode];
     this.mode.textContent =
-      mode === null ? 'no motion' : event.to === null ? `${mode}, ends` : mode;
+      mode !== null && event.to === null ? filled(ends, { mode: name }) : name;
     if (mode === null) delete this.mode.dataset.mode;
     else this.mode.dataset.mode = mode;
-    this.say(
-      motion.sentencesAt(time).join(' '),
-      event.name === 'inconsistent' || event.name === 'ambiguous',
-    );
+    const said = TEXTS.events?.[event.name];
+    if (said !== undefined) this.say(said, false);
+    else
+      this.say(
+        motion.sentencesAt(time).join(' '),
+        event.name === 'inconsistent' || event.name === 'ambiguous',
+      );
   }
 }

@@ -6,6 +6,7 @@ import { COLUMN_ROWS } from '../generated/tables';
 import type { Lab } from '../state/lab';
 import { SPEEDS } from '../state/state';
 import type { Clock } from './clock';
+import { TEXTS } from './texts';
 
 /** Energy over m2 g R that no mark tells from none. */
 const LEAST_LOSS = 1e-6;
@@ -160,6 +161,6 @@ export class Transport {
     this.loop.checked = view.loop;
     const { playing } = this.clock;
     this.play.dataset.state = playing ? 'playing' : 'paused';
-    this.play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+    this.play.setAttribute('aria-label', playing ? TEXTS.page.pause : TEXTS.page.play);
   }
 }

@@ -52,15 +52,18 @@ export class HoopWidget {
     readonly canvas: HTMLCanvasElement,
     private readonly host: HoopHost,
     draw: () => void,
+    /** What the handle is called. */
+    name: string,
   ) {
     this.sheet = new Sheet(canvas, draw);
     this.handle = make('div', {
       class: 'handle weight',
       role: 'slider',
       tabindex: '0',
-      'aria-label': 'Weight of the hoop: its start',
+      'aria-label': name,
       'aria-valuemin': '-180',
       'aria-valuemax': '180',
+      'aria-valuenow': '0',
     });
     canvas.after(this.handle);
     this.listen();

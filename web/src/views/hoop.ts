@@ -7,7 +7,7 @@ import { roundTicks } from '../core/ticks';
 import { MODE_DASHES, type Palette } from '../generated/palette';
 import { COLUMN_ROWS, type Mode, QUANTITY_ROWS } from '../generated/tables';
 import { arrow, label, type Size, setDash } from './canvas';
-import { FONT } from './font';
+import { FONT, font } from './font';
 
 export interface HoopScene {
   motion: Motion;
@@ -22,14 +22,16 @@ export interface HoopScene {
   palette: Palette;
   /** What a radius is worth on the axis, and its unit; R without it. */
   axis?: { radius: number; unit: string };
-  /** The weight of hoop and particle, m₂g, by which the arrows of forces are scaled, and how it is written at the bar of that scale, if there is one. */
-  weight?: { force: number; text: string | null };
+  /** The weight of hoop and particle, m₂g, by which the arrows of forces are scaled, and how it is written at the bar of that scale, if there is one, and at its arrow. */
+  weight?: { force: number; text: string | null; name: string };
   /** The coefficients of friction of the inset of the contact; without them there is none. */
-  contact?: { mu_s: number; mu_k: number } | null;
+  contact?: { mu_s: number; mu_k: number; words: Readonly<Record<Mode, string>> } | null;
   /** Whether letters stand at what is drawn. */
   symbols?: boolean;
   /** Whether what comes is not shown. */
   isSecret?: boolean;
+  /** Whether forces and the slip velocity are left out. */
+  hidesArrows?: boolean;
   /** Another motion at the same instant, to compare with. */
   pinned?: { sample: Sample } | null;
 }
@@ -87,7 +89,7 @@ export function drawHoop(
   camera = cameraOf(size, scene),
 ): void {
   const { motion, sample, palette } = scene;
-  c.font = `14px ${FONT}`;
+  c.font = font(14);
   c.textBaseline = 'middle';
   drawGround(c, size, camera, scene);
   if (!sample) {
@@ -98,10 +100,10 @@ export function drawHoop(
   drawTrails(c, motion.samples, sample.time, camera, scene);
   drawLanding(c, camera, scene);
   drawBody(c, camera, scene, sample);
-  drawArrows(c, camera, scene, sample);
+  if (!scene.hidesArrows) drawArrows(c, camera, scene, sample);
   if (sample.time <= motion.begin) drawSpin(c, camera, scene, sample);
   if (scene.weight?.text) drawBar(c, size, camera, scene.weight.text, palette);
-  if (scene.contact) drawContact(c, size, scene, sample, scene.contact);
+  if (scene.contact && !scene.hidesArrows) drawContact(c, size, scene, sample, scene.contact);
   if (scene.follow) drawInset(c, size, camera, scene);
 }
 
@@ -162,7 +164,7 @@ function drawGround(
   c.moveTo(...camera.at(from, 0));
   c.lineTo(...camera.at(to, 0));
   c.stroke();
-  c.font = `12px ${FONT}`;
+  c.font = font(12);
   c.fillStyle = palette.ink.soft;
   c.strokeStyle = palette.ink.soft;
   c.textAlign = 'center';
@@ -181,7 +183,7 @@ function drawGround(
     c.fillText(label, ...camera.moved(at, 0, 17));
   }
   c.fillText(unit, ...camera.moved(camera.at(last, 0), 16, 22));
-  c.font = `14px ${FONT}`;
+  c.font = font(14);
 }
 
 function drawTrails(
@@ -338,7 +340,7 @@ function drawBody(
   c.arc(px, py, Math.max(7, 0.085 * camera.scale), 0, 2 * Math.PI);
   c.fill();
   c.stroke();
-  c.font = `italic 15px ${FONT}`;
+  c.font = font(15, 'italic');
   c.textAlign = 'center';
   const outward = (distance: number): [number, number] => [
     x + ((px - x) / Math.max(1, Math.hypot(px - x, py - y))) * distance,
@@ -388,7 +390,7 @@ function drawArrows(
     const [x, y] = camera.moved(from, along, -out);
     arrow(c, ...from, x - from[0], y - from[1], colour);
   };
-  c.font = `italic bold 15px ${FONT}`;
+  c.font = font(15, 'italic bold');
   if (sample.gap === 0) {
     c.fillStyle = palette.ink.ink;
     c.beginPath();
@@ -416,20 +418,20 @@ function drawArrows(
   if (scene.weight) {
     // The view is level: the weight points down whatever the slope.
     arrow(c, mx, my, 0, WEIGHT * camera.scale, palette.ink.soft);
-    c.font = `13px ${FONT}`;
+    c.font = font(13);
     // On the side where the particle is not.
     const side = camera.at(sample.particle_x, 0)[0] > mx ? -1 : 1;
     c.textAlign = side > 0 ? 'left' : 'right';
     if (camera.scale > 45)
       label(
         c,
-        'weight',
+        scene.weight.name,
         mx + 7 * side,
         my + 0.8 * WEIGHT * camera.scale,
         palette.ink.soft,
         palette.ink.paper,
       );
-    c.font = `italic bold 15px ${FONT}`;
+    c.font = font(15, 'italic bold');
   }
   const normal = Number.isFinite(sample.normal) ? sample.normal * unit : 0;
   const friction = Number.isFinite(sample.friction) ? sample.friction * unit : 0;
@@ -537,7 +539,7 @@ function drawBar(
   c.moveTo(x + length, y - 4);
   c.lineTo(x + length, y + 4);
   c.stroke();
-  c.font = `12px ${FONT}`;
+  c.font = font(12);
   c.textAlign = 'left';
   label(c, text, x + length + 8, y, palette.ink.soft, palette.ink.paper);
 }
@@ -548,7 +550,7 @@ function drawContact(
   size: Size,
   scene: HoopScene,
   sample: Sample,
-  { mu_s, mu_k }: { mu_s: number; mu_k: number },
+  { mu_s, mu_k, words }: NonNullable<HoopScene['contact']>,
 ): void {
   const { palette } = scene;
   // On a phone it would hide the hoop.
@@ -611,7 +613,7 @@ function drawContact(
   const force = Math.hypot(sample.normal, sample.friction);
   label(
     c,
-    sample.gap > 0 ? 'no contact' : force > 0 ? HOLD[mode] : 'no force',
+    sample.gap > 0 ? 'no contact' : force > 0 ? words[mode] : 'no force',
     x,
     top + 11,
     palette.ink.ink,
@@ -619,16 +621,6 @@ function drawContact(
   );
   c.restore();
 }
-
-/** What friction does at the contact. */
-const HOLD: Readonly<Record<Mode, string>> = {
-  rolling: 'the grip holds',
-  sliding: 'the rim slips',
-  gliding: 'no force',
-  flight: 'no contact',
-  rest: 'the grip holds',
-  skidding: 'the rim slips',
-};
 
 /** The inset's own view: level, whatever the plane is. */
 const UPRIGHT: Camera = {

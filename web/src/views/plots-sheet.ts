@@ -7,7 +7,7 @@ import type { Palette } from '../generated/palette';
 import { COLUMN_ROWS } from '../generated/tables';
 import { label, type Size } from './canvas';
 import { FONT } from './font';
-import { rangeOf, type Shown, SUBJECTS, valuesOfPinned } from './plots';
+import { BOUND_DASH, rangeOf, type Shown, SUBJECTS, valuesOfPinned } from './plots';
 
 const LEFT = 70;
 const RIGHT = 20;
@@ -37,7 +37,8 @@ export function drawPlots(
     const values = subject.values(samples, units, motion);
     const others =
       scene.pinned === null ? [] : valuesOfPinned(scene.pinned, subject, samples.time, units);
-    const known = [...values, ...others].filter((it) => it !== null);
+    const bounds = subject.bound === undefined ? [] : values.map(() => subject.bound!(scene));
+    const known = [...values, ...others, ...bounds].filter((it) => it !== null);
     const [least, most] = rangeOf(
       known.reduce((a, b) => Math.min(a, b), Infinity),
       known.reduce((a, b) => Math.max(a, b), -Infinity),
@@ -57,6 +58,7 @@ export function drawPlots(
     c.lineWidth = 2;
     c.lineJoin = 'round';
     for (const [curve, colour, dash] of [
+      [bounds, palette.arrow.friction_force, BOUND_DASH],
       [others, palette.accent.teal, [6, 4]],
       [values, palette.ink.ink, []],
     ] as const) {

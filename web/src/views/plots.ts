@@ -16,6 +16,8 @@ export interface Subject {
   meaning: string;
   units: Readonly<Record<System, string>>;
   values(samples: Samples, units: ColumnUnits, motion: Motion): (number | null)[];
+  /** What it must not exceed, if there is such a thing. */
+  bound?: (shown: Pick<Shown, 'available'>) => number;
 }
 
 /** Pixels of an axis beside its numbers, and of one of their digits. */
@@ -30,6 +32,9 @@ function ticksOf(least: number, most: number, { height }: uPlot.BBox): Tick[] {
   return roundTicks(least, most, Math.max(2, Math.floor(height / uPlot.pxRatio / SPACE)));
 }
 
+/** The line of a bound, in pixels. */
+export const BOUND_DASH = [3, 3] as const;
+
 /** What a motion is shown as. */
 export interface Shown {
   motion: Motion;
@@ -37,6 +42,8 @@ export interface Shown {
   system: System;
   /** A motion to compare with. */
   pinned: Motion | null;
+  /** The coefficient of static friction of the ground. */
+  available: number;
 }
 
 function column(name: SampleColumn): Subject {
@@ -50,7 +57,8 @@ function column(name: SampleColumn): Subject {
 const demand: Subject = {
   id: 'demand',
   signs: { dimensionless: '|F|/N', si: '|F|/N' },
-  meaning: 'friction force over normal force',
+  meaning: 'friction force over normal force; dashed, what the ground can give',
+  bound: ({ available }) => available,
   units: { dimensionless: '', si: '' },
   values: ({ normal, friction }) =>
     Array.from(normal, (force, i) => {
@@ -123,7 +131,7 @@ export class Plots {
     );
     const box = element('div', { class: 'chart' });
     const cursor = element('div', { class: 'cursor' });
-    holder.append(element('figure', { class: 'plot' }, caption, box));
+    holder.append(element('figure', { class: 'plot', 'data-subject': subject.id }, caption, box));
     const chart = this.chart(box, subject);
     chart.over.append(cursor);
     this.listen(chart);
@@ -176,12 +184,21 @@ export class Plots {
             spanGaps: false,
             pxAlign: 0,
           },
+          {
+            label: 'bound',
+            width: 1.5,
+            dash: [...BOUND_DASH],
+            stroke: () => this.palette.arrow.friction_force,
+            points: { show: false },
+            pxAlign: 0,
+          },
         ],
         hooks: { drawClear: [(chart) => this.bands(chart)] },
       },
       [
         [0, 1],
         [0, 0],
+        [null, null],
         [null, null],
       ],
       box,
@@ -248,6 +265,7 @@ export class Plots {
       time,
       subject.values(samples, units, motion),
       pinned === null ? time.map(() => null) : valuesOfPinned(pinned, subject, samples.time, units),
+      time.map(() => subject.bound?.(shown) ?? null),
     ]);
     this.plots.forEach(({ chart, sign, unit, subject }, i) => {
       sign.textContent = subject.signs[system];

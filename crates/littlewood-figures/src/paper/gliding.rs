@@ -116,7 +116,6 @@ pub(crate) fn alone(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(singular.drawn(Stroke::solid(SOFT, FINE).dashed(Dash::Dashed)));
     let one = Label::new("*w* = 1", &[0.0, 1.0]).shifted(32.0, -11.0);
     let mut labels = mirrored(one, 1).to_vec();
-    labels.extend(mirrored(Label::new("*w* = 0", &[0.5 * PI, 0.0]), 0));
     labels.extend([
         Label::new("*w* > 1", &[0.16 * PI, 2.3]).left(),
         Label::new("*w* > 1", &[-0.16 * PI, -2.3]).right(),
@@ -270,7 +269,9 @@ pub(crate) fn combined(input: &FigureInput) -> Result<Figure, FigureError> {
         Label::new("rolls", &[0.0, 0.63]).coloured(rolling.colour),
         Label::new("glides", &[0.72 * PI, 1.3]).coloured(GLIDING.colour),
         Label::new("glides", &[-0.72 * PI, -1.3]).coloured(GLIDING.colour),
-        Label::new("𝓡", &[-0.72 * theta_s, 0.0]).sized(20.0),
+        Label::new("𝓡", &[-0.72 * theta_s, 0.0])
+            .sized(20.0)
+            .of_area(),
     ];
     let caption = format!(
         "Rolling (in 𝓡, shaded) and gliding (outside it) of the massless hoop together. Motions leave 𝓡 where static \

@@ -4,8 +4,8 @@ use littlewood::energy::{EnergyLedger, EnergyParts};
 use littlewood::tables::{Dimension, SampleColumn};
 use littlewood::{Hoop, Phase, Sample, Transition};
 use littlewood_draw::{
-    Content, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, PlotAxis,
-    SMALL, SOFT, Series, Stroke, THEME, marked, short,
+    Content, FRICTION_FORCE, Figure, IMPULSE, INK, Label, Layer, Mark, NORMAL_FORCE, Piece,
+    PlotAxis, SMALL, SOFT, Series, Stroke, THEME, marked, short,
 };
 use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash, EnergyPart};
@@ -119,8 +119,11 @@ fn couple_panel(motion: &Shown) -> Content {
     motion.panel(name, y, layers, Vec::new())
 }
 
-/// |F|/N, and |J|/P of impacts.
-fn demand_panel(motion: &Shown, spikes: &Spikes) -> Content {
+/// A contact that takes less than this part of the time is not seen.
+const SEEN: f64 = 1.0 / 200.0;
+
+/// |F|/N, and |J|/P of impacts; none where no contact is long enough to be seen.
+fn demand_panel(motion: &Shown, spikes: &Spikes) -> Option<Content> {
     const NAME: &str = "friction over normal force";
     let demand = motion.history(NAME, DEMAND, |phase, sample| {
         let in_contact = phase.mode().has_normal_force();
@@ -131,7 +134,14 @@ fn demand_panel(motion: &Shown, spikes: &Spikes) -> Content {
     let demanded = demanded.chain(spikes.shares()).fold(0.0, f64::max);
     // Of a heavy hoop nothing would be seen beside μs.
     let is_far = demanded > 0.0 && demanded < SMALL_SHARE * mu_k;
-    let is_empty = demand.pieces.is_empty() && spikes.impulses.is_empty();
+    let [from, to] = motion.times();
+    let is_seen = |piece: &Piece| {
+        let ends = [piece.first(), piece.last()].map(|row| row.map_or(0.0, |row| row[0]));
+        ends[1] - ends[0] > SEEN * (to - from)
+    };
+    if spikes.impulses.is_empty() && !demand.pieces.iter().any(is_seen) {
+        return None;
+    }
     let highest = if is_far {
         demanded
     } else {
@@ -144,11 +154,6 @@ fn demand_panel(motion: &Shown, spikes: &Spikes) -> Content {
         .axis(DEMAND, "|*F*|/*N*", [0.0, 1.25 * highest].into());
     let mut layers = vec![motion.verticals(&y, DEMAND)];
     let mut labels = Vec::new();
-    let [from, to] = motion.times();
-    if is_empty {
-        let label = Label::new("nothing to show: *N* = 0", &[0.5 * (from + to), 0.5 * mu_k]);
-        labels.push(label.sized(SMALL).coloured(SOFT));
-    }
     if is_far {
         let text = format!("*μ*_{{k}} = {} is above", short(mu_k));
         let label = Label::new(text, &[to, 1.25 * highest]).shifted(-8.0, 11.0);
@@ -164,7 +169,7 @@ fn demand_panel(motion: &Shown, spikes: &Spikes) -> Content {
     }
     layers.push(demand.drawn(Stroke::solid(INK, 2.0)));
     layers.extend(spikes.demands());
-    motion.panel(NAME, y, layers, labels)
+    Some(motion.panel(NAME, y, layers, labels))
 }
 
 /// Forces and the share of friction against time.
@@ -177,7 +182,11 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     let resists = motion.hoop().rolling_resistance() > 0.0;
     contents.extend(resists.then(|| couple_panel(&motion)));
     contents.extend(spikes.panel(&motion));
-    contents.push(demand_panel(&motion, &spikes));
+    let demand = demand_panel(&motion, &spikes);
+    let is_short = demand
+        .is_none()
+        .then(|| "|*F*|/*N* has no panel: contacts are too short to be seen.".to_owned());
+    contents.extend(demand);
     let caption = format!(
         "Normal force *N*, friction force *F* (positive along `E`_{{1}}) and |*F*|/*N* against time; dashed verticals: transitions. Rolling ends where |*F*|/*N* reaches *μ*_{{s}}, a slide has |*F*|/*N* = *μ*_{{k}}, and the forces \
          jump where a slide begins or ends.{}{} {}.",
@@ -201,7 +210,7 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
         contents,
         height: &|_| sheet.height(190.0),
     };
-    Ok(motion.figure(&sheet, timeline))
+    Ok(motion.figure(&sheet, timeline).noted(is_short))
 }
 
 /// Where the energy falls in impacts: from before to after.
@@ -235,7 +244,14 @@ fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>) {
     let total = history("total energy", &|sample| sample.energy);
     let kinetic = history("kinetic energy", &|it| it.energy - potential_of(it));
     let potential = history("potential energy", &potential_of);
-    let range = range_of([&total, &kinetic, &potential], &[0.0]);
+    let drops = drops(motion);
+    let lost_at_once = drops.iter().map(|layer| &layer.series);
+    let range = range_of(
+        [&total, &kinetic, &potential]
+            .into_iter()
+            .chain(lost_at_once),
+        &[0.0],
+    );
     let y = motion.say.axis(ENERGY, "energy", range);
     let part =
         |part: EnergyPart, dash| Mark::Line(Stroke::solid(part.colour(THEME), CURVE).dashed(dash));
@@ -260,7 +276,7 @@ fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>) {
     // The total above its parts.
     let drawn = lines.into_iter().rev();
     layers.extend(drawn.map(|(series, mark, _)| series.drawn(mark)));
-    if let Some(drops) = drops(motion) {
+    if let Some(drops) = drops {
         keys.push((drops.mark, EnergyPart::Impacts.label().to_owned()));
         layers.push(drops);
     }
@@ -296,6 +312,9 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     Ok(motion.figure(&sheet, timeline))
 }
 
+/// Rounding of what a phase loses that is not seen, in parts of all.
+const ROUNDED: f64 = 0.02;
+
 /// What has been lost since the start in all, by the place of each instant.
 fn lost_in_all(motion: &Shown) -> Vec<[f64; 2]> {
     let drop = |transition: Option<&Transition>| {
@@ -309,8 +328,18 @@ fn lost_in_all(motion: &Shown) -> Vec<[f64; 2]> {
     let mut before = drop(first.filter(|transition| transition.from.is_none()));
     for phase in motion.phases() {
         let begin = phase.first().energy;
-        let samples = motion.instants(phase).into_iter();
-        rows.extend(samples.map(|it| [it.state.time, before + begin - it.energy]));
+        let mut samples = motion.instants(phase);
+        // What a phase has taken lies between nothing and what it takes in all. What is beyond is
+        // rounding: where this is not small, only the ends are known.
+        let all = phase.energy_lost();
+        let lost = |it: &Sample| begin - it.energy;
+        let beyond = |it: &Sample| lost(it).max(all - lost(it)) - all;
+        if samples.iter().any(|it| beyond(it) > ROUNDED * all) {
+            let inner = 1..samples.len().saturating_sub(1).max(1);
+            samples.drain(inner);
+        }
+        let row = |it: &Sample| [it.state.time, before + lost(it).max(0.0).min(all)];
+        rows.extend(samples.iter().map(row));
         // Of a phase that is cut not all is lost yet.
         if phase.end_time() > until {
             break;

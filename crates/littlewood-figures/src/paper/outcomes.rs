@@ -7,11 +7,11 @@ use littlewood::tables::{Class, Dimension, Quantity, Setup};
 use littlewood::theory::Window;
 use littlewood::{Engine, Limits, OutcomeKind, Start, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Entries, Figure, Layer, Mark, PAPER, SOFT, Series, Stroke, THEME,
+    BOUNDARY, Content, Entries, Figure, GRID, Layer, Mark, PAPER, SOFT, Series, Stroke, THEME,
     key_of_curve, lift_off_condition, marked, short,
 };
 use littlewood_style::{Curve, RestingPlace, of_class};
-use littlewood_sweep::{Axis, FOR_A_POINT, Grid, Place, Region, Regions, Workers};
+use littlewood_sweep::{Axis, FOR_A_POINT, Grid, MIXED, Place, Region, Regions, Workers};
 
 use crate::axes::plane_window;
 use crate::catalogue::Watch;
@@ -52,10 +52,18 @@ struct Plan {
     starts: [usize; 2],
     /// How closely boundaries are located.
     width: f64,
+    /// Whether the starts are fewer than usual, as motions take long.
+    is_coarse: bool,
 }
 
+/// What all motions of the figure may take, about in microseconds, the starts to either side by which
+/// that is estimated, and the fewest with which regions are seen.
+const WORK: f64 = 2e6;
+const PROBED: [usize; 2] = [16, 12];
+const FEWEST: [f64; 2] = [61.0, 45.0];
+
 impl Plan {
-    fn new(input: &FigureInput) -> Self {
+    fn new(input: &FigureInput, window: Window) -> Result<Self, FigureError> {
         let engine = Engine::builder(&input.hoop).interpolate_slips().build();
         let effort = Effort::of(&input.hoop, input.limits, &engine);
         let limits = effort.cut(input.limits, &engine);
@@ -67,11 +75,46 @@ impl Plan {
             }
             Effort::Resisted { .. } | Effort::Slow => ([61, 45], COARSE),
         };
-        Self {
+        let plan = Self {
             limits,
             starts,
             width,
+            is_coarse: false,
+        };
+        let work = effort.of_a_transition() * plan.transitions(input, window)?;
+        if work <= WORK {
+            return Ok(plan);
         }
+        let share = (WORK / work).sqrt();
+        let fewer =
+            |k: usize| (share * starts[k] as f64).max(FEWEST[k].min(starts[k] as f64)) as usize;
+        Ok(Self {
+            starts: [fewer(0), fewer(1)],
+            is_coarse: true,
+            ..plan
+        })
+    }
+
+    /// Transitions of the motions of all starts, estimated by those of some.
+    fn transitions(&self, input: &FigureInput, window: Window) -> Result<f64, FigureError> {
+        let [columns, rows] = PROBED;
+        let share = |i: usize, count: usize| (i as f64 + 0.5) / count as f64;
+        let along = |[from, to]: [f64; 2], share: f64| from + (to - from) * share;
+        let starts = (0..rows).flat_map(|j| (0..columns).map(move |i| [i, j]));
+        let points = starts.map(|[i, j]| {
+            let start = Start::at(
+                along(window.x, share(i, columns)),
+                along(window.y, share(j, rows)),
+            );
+            Setup::new(input.hoop.parameters(), start)
+        });
+        let found = Workers::new(None)?.compute(points, self.limits)?;
+        let transitions: f64 = found
+            .summaries()
+            .map(|summary| f64::from(summary.transitions) + 1.0)
+            .sum();
+        let of_all = self.starts[0] * self.starts[1] * FOR_A_POINT;
+        Ok(transitions * of_all as f64 / (columns * rows) as f64)
     }
 }
 
@@ -152,9 +195,9 @@ fn amiss(
     let fates = Fates::of(&input.hoop);
     let is_amiss = |(place, summary): &(&Place, Summary)| {
         let key = key_of(fates, summary);
-        !regions
-            .iter()
-            .any(|region| region.key == key && is_inside(&region.outlines, **place))
+        !regions.iter().any(|region| {
+            [key, MIXED].contains(&region.key) && is_inside(&region.outlines, **place)
+        })
     };
     Ok(places
         .iter()
@@ -289,9 +332,13 @@ impl Drawing<'_> {
         }
         if fates.go_on {
             let mark = Mark::HatchedRegion(SOFT);
-            let lifts = |key: u64| key & LIFTS != 0;
+            let lifts = |key: u64| key & LIFTS != 0 && key != MIXED;
             self.add("lifts_off", "lifts off before", mark, lifts);
         }
+        let mark = Mark::Region(GRID);
+        self.add("mixed", "mixed more finely than drawn", mark, |key| {
+            key == MIXED
+        });
         goes_on
     }
 
@@ -368,7 +415,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     } else {
         plane_window(hoop)
     };
-    let plan = Plan::new(input);
+    let plan = Plan::new(input, within(window))?;
     let (found, is_cut) = regions_of(input, &plan, within(window), watch)?;
     let amiss = if Fates::of(hoop).go_on {
         amiss(input, &plan, within(window), &found.regions)?
@@ -410,5 +457,8 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     let finer = format!(
         "Outcomes vary more finely than drawn: of {CHECKED} other starts {amiss} have another outcome."
     );
+    let [columns, rows] = plan.starts;
+    let coarse = format!("Motions take long: regions are looked for at {columns} × {rows} starts.");
+    let figure = figure.noted(plan.is_coarse.then_some(coarse));
     Ok(figure.noted((amiss > UNSAID).then_some(finer)))
 }

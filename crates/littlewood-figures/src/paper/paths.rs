@@ -5,7 +5,7 @@ use littlewood::tables::Dimension;
 use littlewood::{Cause, Mode, Sample, Trajectory};
 use littlewood_draw::{
     Content, Entries, Figure, HATCH, INK, Label, Layer, Mark, Panel, PanelFrame, PlotAxis, Point,
-    ROOM, Range, SMALL, SOFT, Scale, Series, Sheet, Stroke, short, tilted, width,
+    ROOM, Range, SMALL, SOFT, Scale, Series, Sheet, Stroke, seen, short, tilted, width,
 };
 use littlewood_style::width::{BOLD, FINE};
 
@@ -87,8 +87,8 @@ pub(super) fn beneath(text: String, x: f64, down: f64, slope: f64) -> Label {
     let label = Label::new(text, &[x, 0.0]).sized(SMALL);
     match slope {
         0.0 => label.shifted(0.0, down),
-        _ if slope > 0.0 => label.left().shifted(8.0, down - 8.0),
-        _ => label.right().shifted(-8.0, down - 8.0),
+        _ if slope > 0.0 => label.left().shifted(8.0, down - 8.0).led(),
+        _ => label.right().shifted(-8.0, down - 8.0).led(),
     }
 }
 
@@ -186,13 +186,14 @@ impl Picture {
         }
     }
 
-    /// The figure, with one scale for both axes.
+    /// The figure, with one scale for both axes, and keys of marks and of widths.
     pub(super) fn figure(
         self,
         name: &'static str,
         title: &str,
         caption: String,
         entries: Entries,
+        widths: Entries,
     ) -> Figure {
         let [x, y] = self.axes();
         let [left, inner] = self.sheet.span();
@@ -205,7 +206,9 @@ impl Picture {
             layers: self.layers,
             labels: self.labels,
         };
-        let (keys, room) = self.sheet.keys(entries, 6.0);
+        let mut keys = seen(entries, core::slice::from_ref(&content), self.slope);
+        keys.extend(widths);
+        let (keys, room) = self.sheet.keys(keys, 6.0);
         let top = 14.0 + room;
         let panel = Panel {
             keys,
@@ -322,10 +325,12 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
         [sample.state.time, sample.centre.x, sample.centre.y]
     });
     let mass_centres = motion.by_mode("mass centre, ", &COLUMNS, of_mass_centre);
-    let mut keys = centres.entries(|mode| mode.to_string());
+    let keys = centres.entries(|mode| mode.to_string());
     let line = |width| Mark::Line(Stroke::solid(INK, width));
-    keys.push((line(BOLD), "thick: mass centre *X̄*".to_owned()));
-    keys.push((line(FINE), "thin: centre *C*".to_owned()));
+    let widths = vec![
+        (line(BOLD), "thick: mass centre *X̄*".to_owned()),
+        (line(FINE), "thin: centre *C*".to_owned()),
+    ];
     picture.layers.extend(centres.lines(1.2));
     picture.layers.extend(mass_centres.lines(BOLD));
     let least = LEAST_STEP * (picture.x[1] - picture.x[0]);
@@ -350,7 +355,7 @@ pub(crate) fn centres(input: &FigureInput) -> Result<Figure, FigureError> {
         }
     );
     let title = "Figure 3(b): paths of the centre and of the mass centre";
-    let figure = picture.figure(NAME, title, caption, keys);
+    let figure = picture.figure(NAME, title, caption, keys, widths);
     Ok(figure.noted(motion.remark()))
 }
 
@@ -383,5 +388,6 @@ pub(crate) fn particle(input: &FigureInput) -> Result<Figure, FigureError> {
         short(hoop.mu_s()),
         motion.say.start(hoop, &input.start)
     );
-    Ok(picture.figure(NAME, "Figure 7(b): path of the particle", caption, keys))
+    let title = "Figure 7(b): path of the particle";
+    Ok(picture.figure(NAME, title, caption, keys, Vec::new()))
 }

@@ -12,7 +12,7 @@ use littlewood_draw::{
 use littlewood_style::Curve;
 use littlewood_style::width::{BOLD, CURVE, FINE};
 
-use crate::axes::plane_window;
+use crate::axes::{littlewood_window, plane_window};
 use crate::columns::{THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
@@ -25,8 +25,6 @@ const COLUMNS: [&str; 3] = [TIME, THETA, THETA_RATE];
 const WIDTHS: [f64; 2] = [3.0 * PI, 4.0 * TAU];
 /// The width of a motion that is small in the plane.
 const SWING: f64 = PI;
-/// Greatest rate that is shown of Littlewood's hoop, whose rate has no bound.
-const LITTLEWOOD: f64 = 2.5;
 /// Arrows of time stand where the motion goes this part of the window.
 const LEAST_STEP: f64 = 0.004;
 /// Beyond this part of the window a name stands to the left of its dot.
@@ -43,11 +41,7 @@ fn row_of(state: &State, turns: f64) -> [f64; 3] {
 fn window_of(input: &FigureInput, rows: &[Vec<f64>]) -> Window {
     let first = input.start.theta_rate.abs();
     if input.is_massless() && input.hoop.offset() == 1.0 {
-        let most = f64::max(LITTLEWOOD, 1.08 * first);
-        return Window {
-            x: [-PI, PI],
-            y: [-most, most],
-        };
+        return littlewood_window(first);
     }
     let [low, high] = bounds(rows.iter().map(|row| row[1]), 0.05);
     let swings = rows.iter().map(|row| row[2].abs()).fold(0.0, f64::max);
@@ -148,7 +142,9 @@ fn changes(motion: &Shown, turns: f64, window: Window) -> (Vec<Layer>, Vec<Label
         if !is_inside(window, &before) {
             continue;
         }
-        let label = Label::new(transition.cause.label(), &before[1..]).sized(SMALL);
+        let label = Label::new(transition.cause.label(), &before[1..])
+            .sized(SMALL)
+            .led();
         let is_last = before[1] > window.x[0] + LAST * (window.x[1] - window.x[0]);
         labels.push(if is_last {
             label.shifted(-5.0, -12.0).right()

@@ -25,7 +25,7 @@ fn names(portrait: &Portrait, slip: &Series, unloading: &Series) -> Vec<Label> {
     labels.extend(n.map(|n| n.shifted(10.0, 0.0).coloured(NORMAL_FORCE)));
     // Without friction it has no area.
     if hoop.mu_s() > 0.0 {
-        labels.push(Label::new("𝓡", &[PI, 0.62 * most]).sized(20.0));
+        labels.push(Label::new("𝓡", &[PI, 0.62 * most]).sized(20.0).of_area());
     }
     labels
 }
@@ -146,7 +146,11 @@ fn massless_names(portrait: &Portrait, unloading: &Series, limit: Option<&Series
             labels.push(label.coloured(FRICTION_FORCE));
         }
     }
-    labels.push(Label::new("𝓡", &[portrait.middle(), 0.62 * most]).sized(20.0));
+    labels.push(
+        Label::new("𝓡", &[portrait.middle(), 0.62 * most])
+            .sized(20.0)
+            .of_area(),
+    );
     labels
 }
 
@@ -214,12 +218,15 @@ fn bounds_of_rolling(portrait: &Portrait) -> (Vec<Layer>, Vec<Label>) {
     let mut layers = vec![portrait.unloading_locus().drawn(Curve::NormalForceZero)];
     let n = Label::new("*n*", &[0.8 * PI, 1.0]).shifted(0.0, -11.0);
     let mut labels = mirrored(n.coloured(NORMAL_FORCE), 1).to_vec();
-    labels.extend(mirrored(Label::new("*N* < 0", &[-0.25 * PI, 1.75]), 1));
+    labels.extend(mirrored(
+        Label::new("*N* < 0", &[-0.25 * PI, 1.75]).of_area(),
+        1,
+    ));
     if let Some((theta, limit)) = portrait.massless_limit() {
         layers.push(limit.drawn(Curve::SlipLimit));
         let f = Label::new("*f*", &[theta, -0.72]).shifted(10.0, 0.0);
         labels.extend(mirrored(f.coloured(FRICTION_FORCE), 0));
-        labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0));
+        labels.push(Label::new("𝓡", &[-0.62 * theta, 0.0]).sized(20.0).of_area());
     }
     (layers, labels)
 }

@@ -1,9 +1,8 @@
 //! Figures 3(a) and 7(a): a motion in the space of states.
 
-use core::f64::consts::PI;
+use core::f64::consts::TAU;
 
 use littlewood::tables::Dimension;
-use littlewood::theory::Window;
 use littlewood::{Cause, Mode, Sample, State, Transition};
 use littlewood_draw::{
     Content, FAINT, FRICTION_FORCE, Figure, IMPULSE, Label, Layer, Mark, NORMAL_FORCE, PAPER,
@@ -12,6 +11,7 @@ use littlewood_draw::{
 use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash};
 
+use crate::axes::littlewood_window;
 use crate::columns::{SLIP, THETA, THETA_RATE, TIME};
 use crate::error::FigureError;
 use crate::input::FigureInput;
@@ -242,11 +242,14 @@ fn instant(transition: &Transition, say: Wording) -> String {
 
 /// The motion in the phase plane.
 fn phase_plane(motion: &Shown) -> Content {
-    let window = Window {
-        x: [-PI, PI],
-        y: [-2.5, 2.5],
+    let portrait = Portrait::new(motion.hoop(), littlewood_window(motion.start().theta_rate));
+    // The hoop is where it is a turn earlier.
+    let turns = TAU * libm::round(motion.start().theta / TAU);
+    let of_state = |state: State| {
+        let [time, theta, rate, slip] = of_state(state);
+        [time, theta - turns, rate, slip]
     };
-    let portrait = Portrait::new(motion.hoop(), window);
+    let row = |sample: &Sample| of_state(sample.state);
     let theta_s = 2.0 * libm::atan(motion.hoop().mu_s());
     let mut modes = motion.by_mode("", &COLUMNS, row);
     modes.add_unbounded_end(motion, row);
@@ -259,7 +262,9 @@ fn phase_plane(motion: &Shown) -> Content {
     };
     layers.push(unloading.drawn(bound(Curve::NormalForceZero)));
     let mut labels = vec![
-        Label::new("𝓡", &[-0.6 * theta_s, -0.6]).sized(20.0),
+        Label::new("𝓡", &[-0.6 * theta_s, -0.6])
+            .sized(20.0)
+            .of_area(),
         Label::new("*n*", &[-0.4 * theta_s, 1.0])
             .shifted(0.0, -11.0)
             .coloured(NORMAL_FORCE),
@@ -319,7 +324,8 @@ fn slip_velocity(motion: &Shown) -> Content {
     let mut layers = vec![motion.level("zero", SLIP, 0.0, Stroke::solid(SOFT, FINE))];
     for (mode, rows) in slips {
         let stroke = Stroke::of_mode(mode).wide(BOLD);
-        layers.push(Series::of_rows(mode.name(), &[TIME, SLIP], rows).drawn(stroke));
+        let series = Series::of_rows(mode.name(), &[TIME, SLIP], rows);
+        layers.push(series.drawn(stroke).marked_beyond());
     }
     let mut labels = Vec::new();
     let [from, until] = motion.times();

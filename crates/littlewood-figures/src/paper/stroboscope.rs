@@ -260,6 +260,6 @@ pub(crate) fn wide(input: &FigureInput, width: f64) -> Result<Figure, FigureErro
         let time = say.time();
         format!("Shown is the beginning of the motion, to {time} = {at}.")
     });
-    let figure = picture.figure(NAME, "The hoop in equal times", caption, keys);
+    let figure = picture.figure(NAME, "The hoop in equal times", caption, keys, Vec::new());
     Ok(figure.noted(cut))
 }

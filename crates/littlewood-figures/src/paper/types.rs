@@ -413,7 +413,11 @@ pub(crate) fn regions(input: &FigureInput) -> Result<Figure, FigureError> {
     let f = Label::new("*f*", &[theta_s, 0.0]).shifted(10.0, 0.0).left();
     let n = Label::new("*n*: *N* = 0", &[0.0, 1.0]).shifted(0.0, -14.0);
     labels.extend(names_of_bounds(n, f));
-    labels.push(Label::new("𝓡", &[-0.88 * theta_s, -0.86]).sized(20.0));
+    labels.push(
+        Label::new("𝓡", &[-0.88 * theta_s, -0.86])
+            .sized(20.0)
+            .of_area(),
+    );
     let [degrees, two, mu_s] = [theta_s.to_degrees(), two, mu_s].map(short);
     let caption = format!(
         "The region 𝓡 of the rolling massless hoop and what ends a motion in it. On *n* the normal force vanishes; on \

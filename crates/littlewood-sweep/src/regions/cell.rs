@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Ask, Lattice, Place};
+use super::{Ask, Lattice, MIXED, Place};
 
 /// A corner of the lattice, counted from the lower left, or the cell to the right of it and above it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -155,11 +155,15 @@ impl<'a> Crossings<'a> {
         };
         let differs = |side: Side| {
             let keys = side.ends().map(|corner| lattice.key(corner));
-            (keys[0] != keys[1]).then(|| Search {
-                side,
-                range: side.ends().map(|corner| lattice.place(corner)[side.axis]),
-                keys,
-            })
+            let ends = side.ends().map(|corner| lattice.place(corner)[side.axis]);
+            // What is mixed ends half way to what is not.
+            let middle = 0.5 * (ends[0] + ends[1]);
+            let range = if keys.contains(&MIXED) {
+                [middle; 2]
+            } else {
+                ends
+            };
+            (keys[0] != keys[1]).then_some(Search { side, range, keys })
         };
         let mut searches: Vec<Search> = Side::all(lattice.last()).filter_map(differs).collect();
         let mut counts: BTreeMap<Side, usize> = BTreeMap::new();

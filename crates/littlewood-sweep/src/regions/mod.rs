@@ -23,6 +23,20 @@ const AT_ONCE: usize = 512;
 /// other may be one of them.
 const LEAST_WIDTH: f64 = 1e-12;
 
+/// The key of places around which keys change more finely than a lattice tells: see
+/// [`Lattice::mix`].
+pub const MIXED: u64 = u64::MAX;
+
+/// Half the side of the square of places around one by which it is known to be mixed, the part of
+/// the sides in it along which keys then change, and how many of its places then have a key that
+/// none of their neighbours has; of both a part each counts, too. Along a boundary one in six of the
+/// sides changes, along a narrow band one in three, and neither has such places.
+const AROUND: usize = 3;
+const CHANGES: f64 = 0.35;
+const ALONE: f64 = 3.0;
+/// How often holes in what is mixed are closed.
+const SMOOTHED: usize = 3;
+
 /// A place in the unit square: fractions of the way to the right and upwards.
 pub type Place = [f64; 2];
 
@@ -97,7 +111,7 @@ impl Regions {
     }
 
     /// The regions of the plane of a grid by keys of the summaries of its motions, each of which is
-    /// followed to the limits. Boundaries are located to a width, or as closely as
+    /// followed to the limits; where keys change from point to point they are [`MIXED`]. Boundaries are located to a width, or as closely as
     /// [`FOR_A_POINT`] motions for a point of the grid allow, those of the grid among them. `told`
     /// is told of the motions that have been followed. The result does not depend on the number of
     /// threads.
@@ -133,6 +147,7 @@ impl Regions {
             keys.extend(ask(some)?.unwrap_or_default());
         }
         lattice.keys = keys;
+        lattice.mix();
         let mut left = (FOR_A_POINT - 1) * lattice.keys.len();
         Self::find(
             &lattice,
@@ -163,6 +178,68 @@ impl Lattice {
         };
         let keys = lattice.all_places().into_iter().map(key).collect();
         Self { keys, ..lattice }
+    }
+
+    /// Gives the key [`MIXED`] to places around which keys change more finely than the lattice tells,
+    /// so that no boundary is looked for between them.
+    pub fn mix(&mut self) {
+        let [columns, rows] = [0, 1].map(|k| self.places[k].len());
+        let key = |x: usize, y: usize| self.keys[y * columns + x];
+        let near =
+            |at: usize, by: usize, count: usize| at.saturating_sub(by)..=(at + by).min(count - 1);
+        let beside = |x: usize, y: usize| {
+            near(y, 1, rows).flat_map(move |v| near(x, 1, columns).map(move |u| (u, v)))
+        };
+        let is_alone = |x: usize, y: usize| {
+            let mut same = beside(x, y).filter(|&(u, v)| key(u, v) == key(x, y));
+            same.nth(1).is_none()
+        };
+        let alone: Vec<bool> = (0..rows)
+            .flat_map(|y| (0..columns).map(move |x| (x, y)))
+            .map(|(x, y)| is_alone(x, y))
+            .collect();
+        let is_mixed = |x: usize, y: usize| {
+            // Next to what is mixed all may be of one key.
+            if beside(x, y).all(|(u, v)| key(u, v) == key(x, y)) {
+                return false;
+            }
+            let (mut sides, mut changes, mut lonely) = (0_u32, 0_u32, 0_u32);
+            for v in near(y, AROUND, rows) {
+                for u in near(x, AROUND, columns) {
+                    lonely += u32::from(alone[v * columns + u]);
+                    for (right, up) in [(u + 1, v), (u, v + 1)] {
+                        if right <= (x + AROUND).min(columns - 1)
+                            && up <= (y + AROUND).min(rows - 1)
+                        {
+                            sides += 1;
+                            changes += u32::from(key(u, v) != key(right, up));
+                        }
+                    }
+                }
+            }
+            f64::from(lonely) / ALONE + f64::from(changes) / (CHANGES * f64::from(sides)) >= 1.0
+        };
+        let places = || (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
+        let mut mixed: Vec<bool> = places().map(|(x, y)| is_mixed(x, y)).collect();
+        // Small holes are no regions: what is mixed around most of them is mixed.
+        for _ in 0..SMOOTHED {
+            let most = |x: usize, y: usize| {
+                let around = near(y, AROUND, rows)
+                    .flat_map(|v| near(x, AROUND, columns).map(move |u| v * columns + u));
+                let (mut all, mut of_them) = (0_u32, 0_u32);
+                for place in around {
+                    all += 1;
+                    of_them += u32::from(mixed[place]);
+                }
+                2 * of_them > all
+            };
+            mixed = places()
+                .map(|(x, y)| mixed[y * columns + x] || most(x, y))
+                .collect();
+        }
+        let keys = self.keys.iter().zip(mixed);
+        let keys = keys.map(|(key, is_mixed)| if is_mixed { MIXED } else { *key });
+        self.keys = keys.collect();
     }
 
     /// All its places, row by row, the lowest first.

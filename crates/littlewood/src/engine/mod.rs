@@ -28,6 +28,8 @@ mod solver;
 mod state;
 mod survey;
 
+use std::sync::OnceLock;
+
 use crate::ablation::{Part, is_on};
 use crate::mechanics::ContactProof;
 use crate::model::{Heavy, Hoop, Limits, ParameterError, Start};
@@ -94,9 +96,9 @@ pub struct Engine {
     hoop: Hoop,
     /// None where motions are simulated.
     model: Option<HoopModel>,
-    /// For all directions of motion, or on a slope for each; none where slips are followed one by
-    /// one.
-    slip_maps: Option<Vec<SlipMaps>>,
+    /// For all directions of motion, or on a slope for each, made when a motion first needs them; none
+    /// where slips are followed one by one.
+    slip_maps: Option<OnceLock<Vec<SlipMaps>>>,
     /// Phases of a motion before slips are passed by these maps.
     phases_before_links: u32,
     /// Whether tables are used from the first phase of a motion on.
@@ -130,7 +132,7 @@ impl Engine {
         let is_chained = self.hoop.mu_k() > 0.0 && self.hoop.rolling_resistance() == 0.0;
         let model = self.model.as_ref().filter(|_| is_chained);
         Self {
-            slip_maps: model.map(|model| SlipMaps::new(&self.hoop, model)),
+            slip_maps: model.map(|_| OnceLock::new()),
             phases_before_links,
             ..self
         }
@@ -196,19 +198,14 @@ impl Engine {
         self.hoop.check(start)?;
         limits.check(&start)?;
         let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
-        let recorder = SummaryRecorder::new(&self.hoop, origin);
         Ok(match &self.model {
-            Some(model) => self.fast_summary(model, start, &limits, recorder),
-            None => self.exact_summary(start, &limits, recorder),
+            Some(model) => self.fast_summary(model, &origin, start, &limits),
+            None => self.exact_summary(&origin, start, &limits),
         })
     }
 
-    fn exact_summary(
-        &self,
-        start: RelativeStart,
-        limits: &Limits,
-        mut recorder: SummaryRecorder<'_>,
-    ) -> Summary {
+    fn exact_summary(&self, origin: &Origin, start: RelativeStart, limits: &Limits) -> Summary {
+        let mut recorder = SummaryRecorder::new(&self.hoop, origin);
         let solver = Exact::new(&self.hoop, limits);
         let settings = WalkSettings {
             limits,
@@ -223,14 +220,14 @@ impl Engine {
     fn fast_summary(
         &self,
         model: &HoopModel,
+        origin: &Origin,
         start: RelativeStart,
         limits: &Limits,
-        empty: SummaryRecorder<'_>,
     ) -> Summary {
         let mut simulated_phases = 0;
         loop {
             let Attempt { summary, is_lost } =
-                self.attempt(model, start, limits, empty, simulated_phases);
+                self.attempt(model, origin, start, limits, simulated_phases);
             if !is_lost {
                 return summary;
             }
@@ -249,12 +246,12 @@ impl Engine {
     fn attempt(
         &self,
         model: &HoopModel,
+        origin: &Origin,
         start: RelativeStart,
         limits: &Limits,
-        empty: SummaryRecorder<'_>,
         simulated_phases: u32,
     ) -> Attempt {
-        let slip_maps = self.slip_maps.as_deref();
+        let slip_maps = self.slip_maps.as_ref();
         let slip_maps = slip_maps
             .filter(|_| is_on(Part::Chains) && limits.transitions >= MIN_CHAIN_TRANSITIONS);
         let solver = FastSolver::new(&self.hoop, model, limits)
@@ -266,10 +263,10 @@ impl Engine {
         } else {
             solver.for_few_starts()
         };
-        let mut recorder = empty;
+        let mut recorder = SummaryRecorder::new(&self.hoop, origin);
         let settings = WalkSettings {
             limits,
-            shared: self.shared_proof_data(slip_maps),
+            shared: self.shared_proof_data(slip_maps.map(|_| model)),
         };
         let end = walk(&solver, start, settings, &mut recorder);
         Attempt {
@@ -278,9 +275,17 @@ impl Engine {
         }
     }
 
-    fn shared_proof_data<'a>(&'a self, slip_maps: Option<&'a [SlipMaps]>) -> SharedProofData<'a> {
+    /// With the levels of the slip maps of a model, if slips are passed by these.
+    fn shared_proof_data(&self, model: Option<&HoopModel>) -> SharedProofData<'_> {
+        // Slips shrink towards a level with equal coefficients only.
+        let model = model.filter(|_| self.hoop.mu_s() == self.hoop.mu_k());
+        let maps = model.and_then(|model| {
+            let maps = self.slip_maps.as_ref()?;
+            maps.get_or_init(|| SlipMaps::new(&self.hoop, model))
+                .first()
+        });
         SharedProofData {
-            levels: slip_maps.and_then(|maps| maps.first()?.levels()),
+            levels: maps.and_then(SlipMaps::levels),
             contact: Some(&self.contact),
         }
     }
@@ -296,15 +301,13 @@ mod tests {
     impl Engine {
         fn simulated(&self, start: Start, limits: Limits) -> Summary {
             let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
-            let recorder = SummaryRecorder::new(&self.hoop, origin);
-            self.exact_summary(start, &limits, recorder)
+            self.exact_summary(&origin, start, &limits)
         }
 
         fn attempted(&self, start: Start, limits: Limits, simulated_phases: u32) -> Attempt {
             let (origin, start, limits) = Origin::of(&self.hoop, &start, limits);
-            let recorder = SummaryRecorder::new(&self.hoop, origin);
             let model = self.model.as_ref().unwrap();
-            self.attempt(model, start, &limits, recorder, simulated_phases)
+            self.attempt(model, &origin, start, &limits, simulated_phases)
         }
     }
 
@@ -315,7 +318,7 @@ mod tests {
         let (model, maps) = engine
             .model
             .as_ref()
-            .zip(engine.slip_maps.as_deref())
+            .zip(engine.slip_maps.as_ref())
             .unwrap();
         let motion = hoop
             .simulate(start, Limits::default().with_transitions(transitions))
@@ -378,7 +381,7 @@ mod tests {
         let limits = Limits::until(2_000.0);
         let (origin, start, limits) = Origin::of(&hoop, &Start::at(-2.0, -0.5), limits);
         let solver = FastSolver::new(&hoop, model, &limits);
-        let mut recorder = SummaryRecorder::new(&hoop, origin);
+        let mut recorder = SummaryRecorder::new(&hoop, &origin);
         let settings = WalkSettings {
             limits: &limits,
             shared: engine.shared_proof_data(None),

@@ -198,7 +198,7 @@ impl<'a> FastSolver<'a> {
 
     /// A phase that was solved exactly, from a state of the simulation or not.
     fn solved(&self, solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
-        let solved = Self::from_exact(solved);
+        let solved = self.taken_over(solved);
         if let (false, Some(end)) = (self.error.get().is_exact(), solved.end.state(Self::state)) {
             self.add_phase_error(&end);
         }

@@ -1,6 +1,7 @@
 //! Phases from [`HoopModel`] where these resolve them to rounding, and solved exactly elsewhere.
 
 use core::cell::Cell;
+use std::sync::OnceLock;
 
 use crate::ablation::{Part, is_on};
 use crate::math::trig::Angle;
@@ -55,7 +56,7 @@ pub(super) struct FastSolver<'a> {
     pub(super) hoop: &'a Hoop,
     pub(super) model: &'a HoopModel,
     /// SlipMaps of slips, if they are passed by whole links.
-    slip_maps: Option<&'a [SlipMaps]>,
+    slip_maps: Option<&'a OnceLock<Vec<SlipMaps>>>,
     pub(super) exact: Exact<'a>,
     /// Phases of a motion before its slips are.
     phases_before_links: u32,
@@ -68,6 +69,8 @@ pub(super) struct FastSolver<'a> {
     pub(super) interpolates_slides: bool,
     /// Whether the last phase was rolling that has slipped.
     pub(super) has_slipped: Cell<bool>,
+    /// Whether a flight has landed.
+    has_landed: Cell<bool>,
 }
 
 /// Equilibria of a slide without kinetic friction are nearer than this part of its energy.
@@ -107,9 +110,21 @@ impl From<Outcome> for FastOutcome {
     }
 }
 
-impl Solution for Option<Flight> {
-    fn flight(&self) -> Option<&Flight> {
-        self.as_ref()
+/// What a summary tells of a flight, which itself is six times as large.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Jump {
+    take_off_rate: f64,
+    /// Not computed behind a landing, where nothing tells of it.
+    height: f64,
+}
+
+impl Solution for Option<Jump> {
+    fn take_off_rate(&self) -> Option<f64> {
+        self.map(|jump| jump.take_off_rate)
+    }
+
+    fn height(&self) -> f64 {
+        self.map_or(0.0, |jump| jump.height)
     }
 }
 
@@ -128,6 +143,7 @@ impl<'a> FastSolver<'a> {
             error: Cell::new(ErrorBound::Exact),
             interpolates_slides: false,
             has_slipped: Cell::new(false),
+            has_landed: Cell::new(false),
         }
     }
 
@@ -159,7 +175,7 @@ impl<'a> FastSolver<'a> {
     /// Passes slips by whole links, after so many phases.
     pub(super) fn with_slip_maps(
         self,
-        slip_maps: Option<&'a [SlipMaps]>,
+        slip_maps: Option<&'a OnceLock<Vec<SlipMaps>>>,
         phases_before_links: u32,
     ) -> Self {
         Self {
@@ -228,8 +244,21 @@ impl<'a> FastSolver<'a> {
         elapsed <= self.until() - state.time
     }
 
-    /// Converts a phase that was solved exactly.
-    pub(super) fn from_exact(solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
+    /// What is told of a flight.
+    fn jump(&self, flight: &Flight) -> Jump {
+        Jump {
+            take_off_rate: flight.take_off_rate(),
+            height: if self.has_landed.get() {
+                f64::NAN
+            } else {
+                flight.apex().1
+            },
+        }
+    }
+
+    /// A phase that was solved exactly, as one of the engine.
+    pub(super) fn taken_over(&self, solved: PhaseResult<Exact<'_>>) -> PhaseResult<Self> {
+        let solution = solved.solution.flight().map(|flight| self.jump(flight));
         let end = match solved.end {
             PhaseEnd::Rest { point, arrival } => PhaseEnd::Rest {
                 point: EngineState::new(point),
@@ -244,7 +273,10 @@ impl<'a> FastSolver<'a> {
                 cause,
                 arrival,
             },
-            PhaseEnd::Landing { state, gap_rate } => PhaseEnd::Landing { state, gap_rate },
+            PhaseEnd::Landing { state, gap_rate } => {
+                self.has_landed.set(true);
+                PhaseEnd::Landing { state, gap_rate }
+            }
             PhaseEnd::Settled { state, settling } => PhaseEnd::Settled { state, settling },
             PhaseEnd::Singular { state, solvability } => PhaseEnd::Singular { state, solvability },
             PhaseEnd::Motion {
@@ -258,7 +290,7 @@ impl<'a> FastSolver<'a> {
             },
         };
         PhaseResult {
-            solution: solved.solution.flight().copied(),
+            solution,
             direction: solved.direction,
             end,
         }
@@ -519,7 +551,7 @@ impl<'a> FastSolver<'a> {
             ErrorBound::Simulated(phases) => {
                 let error = ErrorBound::behind_simulated(phases.get() - 1);
                 self.error.set(error);
-                Some(Self::from_exact(exact(&self.exact)))
+                Some(self.taken_over(exact(&self.exact)))
             }
             ErrorBound::Lost => Some(PhaseResult {
                 solution: None,
@@ -571,7 +603,7 @@ impl<'a> FastSolver<'a> {
             if entry != Entry::Moving && entry != ON_LIMIT {
                 self.add_phase_error(&state);
             }
-            Self::from_exact(solved)
+            self.taken_over(solved)
         };
         if let Some(result) = self.not_computed(state, &exact) {
             return result;
@@ -685,7 +717,7 @@ impl LinkSolver for FastSolver<'_> {
 
 impl Solver for FastSolver<'_> {
     type Point = EngineState;
-    type Solution = Option<Flight>;
+    type Solution = Option<Jump>;
     type Outcome = FastOutcome;
 
     const SKIPS_PERIODS: bool = true;
@@ -706,8 +738,8 @@ impl Solver for FastSolver<'_> {
         EngineState::new(state)
     }
 
-    fn state(point: &EngineState) -> State {
-        point.state
+    fn state(point: &EngineState) -> &State {
+        &point.state
     }
 
     #[inline(always)]
@@ -731,7 +763,7 @@ impl Solver for FastSolver<'_> {
         self.has_slipped.set(false);
         let left_to_the_simulation = |reason: Fallback| {
             self.model.fallbacks.add(reason);
-            Self::from_exact(self.exact.roll(&state, on_limit))
+            self.taken_over(self.exact.roll(&state, on_limit))
         };
         if let Some(result) = self.not_computed(state, |exact| exact.roll(&state, on_limit)) {
             return result;
@@ -741,7 +773,7 @@ impl Solver for FastSolver<'_> {
         }
         let uses_tables = self.uses_tables();
         if self.model.leaves_rolling(uses_tables) {
-            return Self::from_exact(self.exact.roll(&state, on_limit));
+            return self.taken_over(self.exact.roll(&state, on_limit));
         }
         let end: Ended = match self.model.roll(place, on_limit, uses_tables) {
             Ok(RollEnd::Never) => PhaseEnd::Motion {
@@ -801,7 +833,7 @@ impl Solver for FastSolver<'_> {
         }
         // Whatever follows from a state of the simulation goes on as there.
         if self.error.get().is_exact() && self.hoop.restitution().is_some() {
-            return Self::from_exact(self.exact.fly(&state, body, take_off));
+            return self.taken_over(self.exact.fly(&state, body, take_off));
         }
         let flight = match take_off {
             TakeOff::Grazing => {
@@ -838,7 +870,9 @@ impl Solver for FastSolver<'_> {
                 );
             });
         }
+        let jump = self.jump(&flight);
         let end = if self.is_in_time(&state, duration) {
+            self.has_landed.set(true);
             PhaseEnd::Landing {
                 state: flight.state(duration),
                 gap_rate: flight.landing_rate(),
@@ -850,18 +884,18 @@ impl Solver for FastSolver<'_> {
             })
         };
         PhaseResult {
-            solution: Some(flight),
+            solution: Some(jump),
             direction: None,
             end,
         }
     }
 
     fn settle(&self, place: &EngineState, body: &Heavy, settling: &Settling) -> PhaseResult<Self> {
-        Self::from_exact(self.exact.settle(&place.state, body, settling))
+        self.taken_over(self.exact.settle(&place.state, body, settling))
     }
 
     fn glide(&self, place: &EngineState, body: &Massless, entry: GlideEntry) -> PhaseResult<Self> {
-        Self::from_exact(self.exact.glide(&place.state, body, entry))
+        self.taken_over(self.exact.glide(&place.state, body, entry))
     }
 
     fn resisted(
@@ -893,10 +927,13 @@ impl Solver for FastSolver<'_> {
             return None;
         }
         let (state, heading) = (place.state, place.heading());
+        let maps = self
+            .slip_maps?
+            .get_or_init(|| SlipMaps::new(self.hoop, self.model));
         let maps = if heading < 0.0 {
-            self.slip_maps?.last()
+            maps.last()
         } else {
-            self.slip_maps?.first()
+            maps.first()
         }?;
         let mirror = maps.mirror();
         let start = mirrored_by(&state, mirror);

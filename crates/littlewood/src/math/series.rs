@@ -32,6 +32,20 @@ pub(crate) fn convolve<T: Number, const N: usize>(
     sums
 }
 
+/// The last coefficients of the products of the first two of pairs of series, and of the second two,
+/// summed in the order of the first factors. The second factors come in the opposite order, so that
+/// both are read forwards.
+#[inline(always)]
+pub(crate) fn convolve_pairs<T: Number>(left: &[[T; 2]], reversed: &[[T; 2]]) -> [T; 2] {
+    let mut sums = [T::constant(0.0); 2];
+    for (left, right) in left.iter().zip(reversed) {
+        for lane in 0..2 {
+            sums[lane] = sums[lane] + left[lane] * right[lane];
+        }
+    }
+    sums
+}
+
 /// The product of two series, to the same degree.
 pub(crate) fn times(a: &Series, b: &Series) -> Series {
     core::array::from_fn(|n| convolve([(a, b)], n)[0])

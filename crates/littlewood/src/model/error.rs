@@ -8,6 +8,11 @@ use crate::model::{Bound, Number, Quantity, Reading, RestitutionLaw};
 /// representable.
 pub(crate) const MIN_INERTIA: f64 = 1e-60;
 
+/// Least offset of a massless hoop. Its accelerations are 1/(ℓ̂ sin θ), their derivatives 1/ℓ̂², and
+/// products of its heights over the bottom and under the top are ℓ̂² sin²θ, with angles from the top
+/// of 1e-60 and more. All are representable with some 1e60 to spare.
+pub(crate) const MIN_MASSLESS_OFFSET: f64 = 1e-60;
+
 /// A parameter of a hoop or a start without physical meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
@@ -34,6 +39,12 @@ pub enum ParameterError {
         Number(*inertia), Number(MIN_INERTIA)
     )]
     NearlyMassless { inertia: f64 },
+    /// A massless hoop with the particle next to its centre: powers of 1/ℓ̂ overflow.
+    #[error(
+        "offset = {} of a massless hoop (mass_ratio = 0, inertia = 0) must not be less than {}",
+        Number(*offset), Number(MIN_MASSLESS_OFFSET)
+    )]
+    NearlyCentred { offset: f64 },
     /// A law of restitution without a coefficient.
     #[error(
         "restitution_law = {law} without restitution: without a coefficient the motion ends where the rim lands"
@@ -63,7 +74,7 @@ impl ParameterError {
             Self::MasslessImpact { .. } | Self::MasslessFlight { .. } => {
                 "leave it out, or give the hoop a mass or a moment of inertia"
             }
-            Self::NoMotion { .. } => {
+            Self::NoMotion { .. } | Self::NearlyCentred { .. } => {
                 "give the disc a moment of inertia, or move the particle off the centre"
             }
             Self::NearlyMassless { .. } => {
@@ -74,7 +85,7 @@ impl ParameterError {
                 ..
             } => "NaN and infinities are not numbers to start from",
             Self::OutOfBounds {
-                bound: Bound::MagnitudeAtMost(_),
+                bound: Bound::MagnitudeAtMost(_) | Bound::ResolvedAtMost(_),
                 ..
             } => "beyond this bound a double no longer resolves the motion",
             Self::OutOfBounds { quantity, .. } => quantity.hint(),
@@ -85,7 +96,7 @@ impl ParameterError {
     pub const fn quantity(&self) -> Quantity {
         match self {
             Self::OutOfBounds { quantity, .. } => *quantity,
-            Self::NoMotion { .. } => Quantity::Offset,
+            Self::NoMotion { .. } | Self::NearlyCentred { .. } => Quantity::Offset,
             Self::NearlyMassless { .. } => Quantity::Inertia,
             Self::LawAlone { .. } | Self::MasslessImpact { .. } => Quantity::Restitution,
             Self::MasslessFlight { .. } => Quantity::GapRate,
@@ -98,6 +109,7 @@ impl ParameterError {
             self,
             Self::NoMotion { .. }
                 | Self::NearlyMassless { .. }
+                | Self::NearlyCentred { .. }
                 | Self::MasslessImpact { .. }
                 | Self::MasslessFlight { .. }
                 | Self::OutOfBounds {

@@ -2,8 +2,8 @@
 
 use crate::math::number::Number;
 use crate::model::{
-    Bound, MIN_INERTIA, ParameterError, Quantity, Restitution, RestitutionLaw, getters, setters,
-    within,
+    Bound, MIN_INERTIA, MIN_MASSLESS_OFFSET, ParameterError, Quantity, Restitution, RestitutionLaw,
+    getters, setters, within,
 };
 
 /// The unchecked parameters of a hoop. [`Hoop::new`] checks them.
@@ -198,7 +198,7 @@ impl Hoop {
     ///
     /// # Errors
     /// The first value that violates a bound; ℓ̂ = 0 with Î = 0 ([`ParameterError::NoMotion`]); 0 <
-    /// Î < 1e-60; a law of restitution without a coefficient; a massless hoop with a coefficient of
+    /// Î < 1e-60; 0 < ℓ̂ < 1e-60 of a massless hoop; a law of restitution without a coefficient; a massless hoop with a coefficient of
     /// restitution.
     pub fn new(parameters: HoopParameters) -> Result<Self, ParameterError> {
         let composition = Composition {
@@ -224,6 +224,9 @@ impl Hoop {
             }
             Body::Heavy(heavy)
         } else if offset > 0.0 && mass_ratio == 0.0 {
+            if offset < MIN_MASSLESS_OFFSET {
+                return Err(ParameterError::NearlyCentred { offset });
+            }
             Body::Massless(Massless {
                 offset,
                 tilt: heavy.tilt,

@@ -15,7 +15,7 @@ pub(crate) mod undecided;
 pub(crate) mod units;
 
 pub(crate) use self::dimension::{Detail, Dimension, System};
-pub(crate) use self::error::{MIN_INERTIA, ParameterError, within};
+pub(crate) use self::error::{MIN_INERTIA, MIN_MASSLESS_OFFSET, ParameterError, within};
 pub(crate) use self::hoop::{Body, Composition, Friction, Heavy, Hoop, HoopParameters, Massless};
 pub(crate) use self::limits::{Limits, Proof, length_of_slide, weight_of_slides};
 pub(crate) use self::mode::{Mode, RotationDirection, SlipDirection};

@@ -224,8 +224,10 @@ pub enum Bound {
     AtMost(Quantity, f64),
     /// The value must not exceed a constant.
     AtMostConstant(f64),
-    /// The magnitude must not exceed a constant.
+    /// The magnitude must not exceed a constant, beyond which a double does not resolve the motion.
     MagnitudeAtMost(f64),
+    /// The same of a value that is not negative.
+    ResolvedAtMost(f64),
     /// The magnitude must be less than a constant.
     MagnitudeBelow(f64),
     /// The value must not be less than that of another quantity.
@@ -240,7 +242,9 @@ impl Bound {
             Self::Finite => value.is_finite(),
             Self::Positive => value > 0.0,
             Self::NonNegative => value >= 0.0,
-            Self::AtMost(_, most) | Self::AtMostConstant(most) => value <= most,
+            Self::AtMost(_, most) | Self::AtMostConstant(most) | Self::ResolvedAtMost(most) => {
+                value <= most
+            }
             Self::MagnitudeAtMost(most) => value.abs() <= most,
             Self::MagnitudeBelow(bound) => value.abs() < bound,
             Self::AtLeast(_, least) => value >= least,
@@ -261,6 +265,7 @@ impl fmt::Display for Bound {
             Self::MagnitudeAtMost(value) => {
                 write!(f, "must lie between {:e} and {value:e}", -value)
             }
+            Self::ResolvedAtMost(value) => write!(f, "must not exceed {value:e}"),
             Self::MagnitudeBelow(value) => {
                 write!(f, "must lie between -{value} and {value}, exclusive")
             }
@@ -311,7 +316,7 @@ pub(crate) const MAX_COORDINATE: f64 = 1e9;
 /// Largest rate and slip velocity of a start: a flight at this rate turns 1e11 times.
 const MAX_RATE: f64 = 1e6;
 
-const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_PARAMETER)];
+const PARAMETER: &[Bound] = &[Bound::NonNegative, Bound::ResolvedAtMost(MAX_PARAMETER)];
 const COORDINATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_COORDINATE)];
 /// Longest time that is followed: the position of a slide grows with its square, which is a number.
 pub(crate) const MAX_TIME: f64 = 1e150;
@@ -320,7 +325,7 @@ const RATE: &[Bound] = &[Bound::MagnitudeAtMost(MAX_RATE)];
 /// |slope| < π/2, up to the last double below: the plane is not vertical.
 const SLOPE: &[Bound] = &[Bound::MagnitudeBelow(core::f64::consts::FRAC_PI_2)];
 const FRACTION: &[Bound] = &[Bound::NonNegative, Bound::AtMostConstant(1.0)];
-const NON_NEGATIVE_RATE: &[Bound] = &[Bound::NonNegative, Bound::MagnitudeAtMost(MAX_RATE)];
+const NON_NEGATIVE_RATE: &[Bound] = &[Bound::NonNegative, Bound::ResolvedAtMost(MAX_RATE)];
 const POSITIVE: &[Bound] = &[Bound::Positive];
 const NON_NEGATIVE: &[Bound] = &[Bound::NonNegative];
 const FINITE: &[Bound] = &[];

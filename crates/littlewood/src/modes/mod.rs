@@ -90,6 +90,19 @@ impl PhaseSolution {
         }
     }
 
+    /// The flight, if it is one.
+    pub(crate) const fn flight(&self) -> Option<&Flight> {
+        match self {
+            Self::Flight(flight) => Some(flight),
+            Self::Rolling(_)
+            | Self::ResistedRolling(_)
+            | Self::Sliding(_)
+            | Self::Gliding(_)
+            | Self::Skidding(_)
+            | Self::Rest(_) => None,
+        }
+    }
+
     /// State after the time `elapsed`.
     pub(crate) fn state(&self, elapsed: f64) -> State {
         match self {

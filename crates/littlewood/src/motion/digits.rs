@@ -341,7 +341,7 @@ impl PerturbedSolver<'_> {
         // Rounding on the way may grow more than rounding at the start.
         for pieces in (2..=PERTURBATIONS_PER_SLIDE).rev() {
             let (PhaseSolution::Sliding(sliding), Some(end)) =
-                (&solved.solution, solved.end.state(|place| *place))
+                (&solved.solution, solved.end.state(|place| place))
             else {
                 break;
             };
@@ -442,8 +442,8 @@ impl Solver for PerturbedSolver<'_> {
         state
     }
 
-    fn state(point: &State) -> State {
-        *point
+    fn state(point: &State) -> &State {
+        point
     }
 
     fn next_motion(&self, state: &State, arrival: Arrival) -> NextMotion {

@@ -122,13 +122,8 @@ impl<'a> EnergyLedger<'a> {
                 0.0
             }
         };
-        // Where a particle of a massless hoop meets the plane its rate is infinite, but not its
-        // energy.
-        let kinetic = Some(sample.energy - potential)
-            .filter(|kinetic| kinetic.is_finite())
-            .unwrap_or(self.start - potential - friction - rolling_resistance - impacts);
         Some(EnergyParts {
-            kinetic: seen(kinetic, 1),
+            kinetic: seen(sample.energy - potential, 1),
             potential: seen(potential, 1),
             friction: seen(friction, 2 * place + 1),
             rolling_resistance: seen(rolling_resistance, 2 * place + 1),

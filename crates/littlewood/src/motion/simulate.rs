@@ -2,7 +2,7 @@
 
 use crate::mechanics::Impact;
 use crate::model::{Body, Hoop, Limits, ParameterError, SlipDirection, Start, State};
-use crate::modes::{Flight, PhaseSolution};
+use crate::modes::PhaseSolution;
 use crate::motion::summary::SummaryRecorder;
 use crate::motion::trajectory::{Phase, Trajectory};
 use crate::walk::{
@@ -55,7 +55,7 @@ impl Hoop {
             origin,
             phases: Vec::new(),
             transitions: Vec::new(),
-            summary: SummaryRecorder::new(self, origin),
+            summary: SummaryRecorder::new(self, &origin),
         };
         let solver = solver(Exact::new(self, &limits));
         let settings = WalkSettings {
@@ -149,10 +149,18 @@ impl Recorder<PhaseSolution> for Recording<'_> {
             cause,
         });
     }
+
+    fn half_swings(&self) -> usize {
+        Recorder::<&PhaseSolution>::half_swings(&self.summary)
+    }
 }
 
 impl Solution for &PhaseSolution {
-    fn flight(&self) -> Option<&Flight> {
-        (**self).flight()
+    fn take_off_rate(&self) -> Option<f64> {
+        (**self).take_off_rate()
+    }
+
+    fn height(&self) -> f64 {
+        (**self).height()
     }
 }

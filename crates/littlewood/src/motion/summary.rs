@@ -84,7 +84,7 @@ impl Summary {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SummaryRecorder<'a> {
     hoop: &'a Hoop,
-    origin: Origin,
+    origin: &'a Origin,
     summary: Summary,
     /// Start and initial gap rate of the last phase, if it is a flight not yet ended by an impact.
     flight: Option<(State, f64)>,
@@ -107,16 +107,16 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
         }
         self.swings = phase.swings();
         (self.flight, self.gap_rate) = (None, 0.0);
-        let Some(flight) = solution.flight() else {
+        let Some(take_off_rate) = solution.take_off_rate() else {
             return;
         };
-        self.flight = Some((phase.start, flight.take_off_rate()));
+        self.flight = Some((phase.start, take_off_rate));
         self.summary.settle_time = f64::NAN;
         if self.summary.lift_off_time.is_nan() {
             self.summary.lift_off_time = self.origin.time(phase.start.time);
         }
         if self.summary.landings == 0 {
-            self.jump_height = flight.apex().1;
+            self.jump_height = solution.height();
         }
     }
 
@@ -161,6 +161,10 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
         }
     }
 
+    fn half_swings(&self) -> usize {
+        self.summary.half_swings as usize
+    }
+
     fn detail(&self) -> PhaseDetail {
         if self.summary.sequence.is_truncated() {
             PhaseDetail::Number
@@ -176,7 +180,7 @@ impl<S: Solution> Recorder<S> for SummaryRecorder<'_> {
 }
 
 impl<'a> SummaryRecorder<'a> {
-    pub(crate) const fn new(hoop: &'a Hoop, origin: Origin) -> Self {
+    pub(crate) const fn new(hoop: &'a Hoop, origin: &'a Origin) -> Self {
         let summary = Summary {
             impact_energy_lost: 0.0,
             ..Summary::without_motion(OutcomeKind::NotComputed)

@@ -318,8 +318,8 @@ impl Solver for Exact<'_> {
         state
     }
 
-    fn state(point: &State) -> State {
-        *point
+    fn state(point: &State) -> &State {
+        point
     }
 
     fn next_motion(&self, state: &State, arrival: Arrival) -> NextMotion {
@@ -480,16 +480,12 @@ impl Solver for Exact<'_> {
 }
 
 impl Solution for PhaseSolution {
-    fn flight(&self) -> Option<&Flight> {
-        match self {
-            Self::Flight(flight) => Some(flight),
-            Self::Rolling(_)
-            | Self::ResistedRolling(_)
-            | Self::Sliding(_)
-            | Self::Gliding(_)
-            | Self::Skidding(_)
-            | Self::Rest(_) => None,
-        }
+    fn take_off_rate(&self) -> Option<f64> {
+        self.flight().map(Flight::take_off_rate)
+    }
+
+    fn height(&self) -> f64 {
+        self.flight().map_or(0.0, |flight| flight.apex().1)
     }
 
     fn theta_range(&self) -> Option<(f64, f64)> {

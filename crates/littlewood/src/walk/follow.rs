@@ -41,8 +41,6 @@ struct Cursor<P> {
     /// Whether the motion slides without kinetic friction, on an orbit that does not leave the
     /// plane. Rounding of later states must not decide otherwise.
     stays_in_contact: bool,
-    /// Number of half swings with rolling resistance so far.
-    half_swings: usize,
 }
 
 impl<P> Cursor<P> {
@@ -61,7 +59,6 @@ impl<P> Cursor<P> {
             last_slip,
             slip_out_of_rolling: None,
             stays_in_contact: false,
-            half_swings: 0,
         }
     }
 
@@ -76,7 +73,6 @@ impl<P> Cursor<P> {
             last_slip: None,
             slip_out_of_rolling,
             stays_in_contact: false,
-            half_swings: 0,
         }
     }
 
@@ -88,7 +84,7 @@ impl<P> Cursor<P> {
             return true;
         };
         let state = T::state(&self.point);
-        let at_top = || MarginAtTop::new(body, &state, Angle::of(state.theta));
+        let at_top = || MarginAtTop::new(body, state, Angle::of(state.theta));
         self.stays_in_contact = self.stays_in_contact || !at_top().leaves_plane();
         !self.stays_in_contact
     }
@@ -113,14 +109,14 @@ impl<'a, R> EventLog<'a, R> {
 
     /// Records the event that ended a phase, or keeps it if a glide begins.
     #[inline(always)]
-    fn add<S>(&mut self, event: Event, impact: Option<&Impact>, direction: Option<SlipDirection>)
+    fn add<S>(&mut self, event: &Event, impact: Option<&Impact>, direction: Option<SlipDirection>)
     where
         R: Recorder<S>,
     {
         if event.to == Some(Mode::Gliding) {
-            self.pending = Some(event);
+            self.pending = Some(*event);
         } else {
-            self.recorder.transition(&event, impact, direction);
+            self.recorder.transition(event, impact, direction);
         }
     }
 
@@ -136,12 +132,19 @@ impl<'a, R> EventLog<'a, R> {
     }
 }
 
-/// The event that ended a phase, with its impact, and the range of the angle if the phase was a
-/// slide whose solution keeps it.
+/// The end of a phase by an event, and the range of the angle if it was a slide whose solution keeps
+/// it.
 struct PhaseStep {
-    event: Event,
-    impact: Option<Box<Impact>>,
+    from: Option<Mode>,
+    cause: Cause,
+    impact: Option<Box<ImpactAt>>,
     theta_range: Option<(f64, f64)>,
+}
+
+/// An impact, and the state just before it.
+struct ImpactAt {
+    before: State,
+    impact: Impact,
 }
 
 /// A phase that ended without an impact.
@@ -231,24 +234,27 @@ pub(crate) fn walk<T: Solver, R: Recorder<T::Solution>>(
     let mut budget = Budget::new(solver.slide_weight(), limits);
     loop {
         skip_links(solver, &mut cursor, log.recorder, &mut proofs, &mut budget);
-        let (phase_start, mode) = (T::state(&cursor.point), cursor.next.mode());
+        let (phase_start, mode) = (*T::state(&cursor.point), cursor.next.mode());
         let step = match advance_phase(solver, &mut cursor, &mut log) {
             Ok(step) => step,
             Err(outcome) => return outcome,
         };
+        let after = T::state(&cursor.point);
+        let impact = step.impact.as_deref();
         let event = Event {
+            state: *impact.map_or(after, |impact| &impact.before),
+            from: step.from,
             to: cursor.next.mode(),
-            ..step.event
+            cause: step.cause,
         };
         let direction = cursor.next.direction();
-        log.add(event, step.impact.as_deref(), direction);
+        log.add(&event, impact.map(|it| &it.impact), direction);
         budget.add(mode, &phase_start, &event.state);
-        let after = T::state(&cursor.point);
         // A proof is a final outcome, so it precedes a limit that is reached at the same event.
         let outcome = proofs
-            .at_event(&event, &after, direction, step.theta_range)
+            .at_event(&event, after, direction, step.theta_range)
             .or_else(|| {
-                let limit = budget.outcome(after)?;
+                let limit = budget.outcome(*after)?;
                 // Without a next motion the next turn of the loop ends the motion.
                 event.to.is_some().then(|| proofs.at_limit(limit, event.to))
             });
@@ -274,7 +280,7 @@ fn skip_periods<T: Solver, R: Recorder<T::Solution>>(
     if recorder.detail() == PhaseDetail::Solutions {
         return;
     }
-    let state = T::state(&cursor.point);
+    let state = *T::state(&cursor.point);
     let transitions_left = budget.limits.transitions.saturating_sub(budget.transitions);
     let slide_cost = budget.slide_weight * period.slide_length;
     let slide_cost_left = budget.limits.slides as f64 - budget.slide_cost;
@@ -347,7 +353,7 @@ fn skip_links<T: Solver, R: Recorder<T::Solution>>(
         recorder.links(links.transitions, links.phases);
         transitions += links.transitions as usize;
         slide_cost += links.slide_cost;
-        proofs.skipped_to(&T::state(&links.point));
+        proofs.skipped_to(T::state(&links.point));
         *cursor = Cursor::at_slip(solver, links.point, links.direction);
     }
     budget.transitions += transitions;
@@ -383,7 +389,7 @@ pub(crate) fn next_slip<T: Solver>(
         }
         if let Some(direction) = cursor.slip_out_of_rolling {
             return Some(NextSlip {
-                state: T::state(&cursor.point),
+                state: *T::state(&cursor.point),
                 direction,
                 slide_cost: solver.slide_weight() * log.recorder.slide_length,
             });
@@ -421,7 +427,6 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
     cursor.slip_out_of_rolling = None;
     let may_lift_off = cursor.may_lift_off(solver);
     let point = &cursor.point;
-    let state = T::state(point);
     let (mode, result) = match &cursor.next {
         NextMotion::Roll { on_limit } => (Mode::Rolling, solver.roll(point, *on_limit)),
         NextMotion::Slide {
@@ -436,7 +441,7 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
         NextMotion::Glide { body, entry } => (Mode::Gliding, solver.glide(point, body, *entry)),
         NextMotion::Resisted { body, motion } => (
             motion.mode(),
-            solver.resisted(point, body, *motion, cursor.half_swings),
+            solver.resisted(point, body, *motion, log.recorder.half_swings()),
         ),
         NextMotion::Settle { body, settling } => {
             (Mode::Flight, solver.settle(point, body, settling))
@@ -446,22 +451,26 @@ fn advance_phase<T: Solver, R: Recorder<T::Solution>>(
             let end = MotionEnd {
                 event: None,
                 outcome: Outcome::Inconsistent {
-                    state,
+                    state: *T::state(point),
                     candidates: **candidates,
                 },
             };
+            let state = *T::state(point);
             let rebound = jam(solver, cursor, None, state);
             return rebound_or_end(log.recorder, rebound, end);
         }
         NextMotion::Undecided(undecided) => {
             log.flush(None);
-            let undecided = *undecided;
-            return Err(Outcome::Unresolved { state, undecided }.into());
+            let outcome = Outcome::Unresolved {
+                state: *T::state(point),
+                undecided: *undecided,
+            };
+            return Err(outcome.into());
         }
         NextMotion::Several(candidates) => {
             log.flush(None);
             let outcome = Outcome::Ambiguous {
-                state,
+                state: *T::state(point),
                 candidates: **candidates,
             };
             return Err(outcome.into());
@@ -477,30 +486,23 @@ fn finish_phase<T: Solver, R: Recorder<T::Solution>>(
     cursor: &mut Cursor<T::Point>,
     log: &mut EventLog<'_, R>,
     mode: Mode,
-    result: PhaseResult<T>,
+    mut result: PhaseResult<T>,
 ) -> Result<PhaseStep, T::Outcome> {
-    let PhaseResult {
-        solution,
-        direction,
-        mut end,
-    } = result;
-    log.flush(direction);
-    let theta_range = solution.theta_range();
-    if let PhaseEnd::Rest { point, arrival } = &mut end {
+    log.flush(result.direction);
+    let theta_range = result.solution.theta_range();
+    if let PhaseEnd::Rest { point, arrival } = &mut result.end {
         correct_rest(solver, cursor, point, arrival);
     }
     let record = PhaseRecord {
         mode,
-        direction,
-        start: T::state(&cursor.point),
-        end: end.state(T::state),
+        direction: result.direction,
+        start: *T::state(&cursor.point),
+        end: result.end.state(T::state),
     };
-    log.recorder.phase(record, solution);
-    let step = after_phase(solver, cursor, log.recorder, record, end)?;
-    Ok(PhaseStep {
-        theta_range,
-        ..step
-    })
+    log.recorder.phase(record, result.solution);
+    let mut step = after_phase(solver, cursor, log.recorder, record, result.end)?;
+    step.theta_range = theta_range;
+    Ok(step)
 }
 
 /// Moves the cursor past the end of a phase; or records the event that ends the motion, and returns
@@ -530,7 +532,6 @@ fn after_phase<T: Solver, R: Recorder<T::Solution>>(
             cause,
             arrival,
         } => {
-            cursor.half_swings += usize::from(phase.swings() && cause == Cause::TurningPoint);
             let ended = ended(Some(cause), point, arrival);
             Ok(after_event(solver, cursor, ended))
         }
@@ -578,8 +579,12 @@ fn rebound_or_end<S, O: From<Outcome>>(
     let MotionEnd { event, outcome } = match rebound {
         Rebound::Continues { event, impact } => {
             return Ok(PhaseStep {
-                event,
-                impact: Some(Box::new(impact)),
+                from: event.from,
+                cause: event.cause,
+                impact: Some(Box::new(ImpactAt {
+                    before: event.state,
+                    impact,
+                })),
                 theta_range: None,
             });
         }
@@ -612,7 +617,7 @@ fn correct_rest<T: Solver>(
         return;
     };
     let slide = T::state(&cursor.point).time..=solver.until();
-    *arrival = match last_slip.correct_rest(&body, &T::state(point)) {
+    *arrival = match last_slip.correct_rest(&body, T::state(point)) {
         Some(corrected) => {
             // The uncorrected end lies within the time limit, and rounding must not move it
             // outside.
@@ -640,18 +645,19 @@ fn after_event<T: Solver>(
         arrival,
     } = ended;
     cursor.point = point;
-    let state = T::state(&cursor.point);
     cursor.next = solver.next_motion(&cursor.point, arrival);
     let next = &cursor.next;
     // Only a slide begins with a known direction.
-    (cursor.last_slip, cursor.slip_out_of_rolling) = match (arrival, next.direction()) {
-        (Arrival::RollingLimit(RollingLimit::Friction(out)), Some(direction)) => (
-            LastSlip::out_of_rolling(solver.hoop(), state, out),
-            Some(direction),
-        ),
-        (_, Some(_)) => (cursor.last_slip, None),
-        (_, None) => (None, None),
-    };
+    cursor.slip_out_of_rolling = None;
+    match (arrival, next.direction()) {
+        (Arrival::RollingLimit(RollingLimit::Friction(out)), Some(direction)) => {
+            let state = *T::state(&cursor.point);
+            cursor.last_slip = LastSlip::out_of_rolling(solver.hoop(), state, out);
+            cursor.slip_out_of_rolling = Some(direction);
+        }
+        (_, Some(_)) => {}
+        (_, None) => cursor.last_slip = None,
+    }
     let cause = cause.unwrap_or_else(|| match next.mode() {
         Some(Mode::Sliding | Mode::Gliding | Mode::Skidding) => {
             let same = next.direction().is_some() && next.direction() == direction;
@@ -662,7 +668,8 @@ fn after_event<T: Solver>(
         Some(Mode::Rolling | Mode::Rest) | None => Cause::Stick,
     });
     PhaseStep {
-        event: Event::new(state, mode, cause),
+        from: Some(mode),
+        cause,
         impact: None,
         theta_range: None,
     }
@@ -749,8 +756,12 @@ fn after_settling<T: Solver>(
     cursor.point = solver.point(impact.state_after(&state));
     cursor.next = solver.next_motion(&cursor.point, Arrival::InContact);
     PhaseStep {
-        event: Event::new(state, Mode::Flight, Cause::Settle),
-        impact: Some(Box::new(impact)),
+        from: Some(Mode::Flight),
+        cause: Cause::Settle,
+        impact: Some(Box::new(ImpactAt {
+            before: state,
+            impact,
+        })),
         theta_range: None,
     }
 }

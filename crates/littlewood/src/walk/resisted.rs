@@ -20,7 +20,7 @@ use crate::model::{
 };
 use crate::modes::{Entry, PhasePoint, RollingLimit, RollingSeries, SlideSeries, TakeOff};
 use crate::walk::candidates::{
-    Arrival, Candidates, ContactMargin, NextMotion, contact_margin, glide,
+    Arrival, Candidates, ContactMargin, NextMotion, contact_margin, glide, net_slip_force,
 };
 
 /// Highest order of a series that decides where the lower ones are rounding.
@@ -622,12 +622,10 @@ impl<'a> Trial<'a> {
         }
         let angle = Angle::of(self.state.theta);
         let rolling = ResistedRollingLaw::of_body(body, chi);
-        let normal = rolling
-            .forces(angle, self.state.theta_rate * self.state.theta_rate)
-            .normal;
-        let excess = (self.hoop.mu_s() - self.hoop.mu_k()) * normal.max(0.0);
+        let forces = rolling.forces(angle, self.state.theta_rate * self.state.theta_rate);
+        let force = net_slip_force(self.hoop, &forces, direction, 0.0).max(0.0);
         let denominator = rolling.denominator_of(angle);
-        let acceleration = slip_acceleration_at_rest(body.mass, denominator, excess, p);
+        let acceleration = slip_acceleration_at_rest(body.mass, denominator, force, p);
         Some(ResistedMotion::Slide {
             direction,
             rotation,

@@ -2,7 +2,7 @@
 
 use crate::mechanics::{Impact, Settling};
 use crate::model::{Heavy, Hoop, Massless, Mode, SlipDirection, State, weight_of_slides};
-use crate::modes::{Entry, Flight, GlideEntry, TakeOff};
+use crate::modes::{Entry, GlideEntry, TakeOff};
 use crate::walk::{Arrival, Cause, Event, NextMotion, Outcome, PhaseSequence, ResistedMotion};
 
 /// Solves phases of motion, each from its start to the event that ends it, or to the time limit.
@@ -41,7 +41,7 @@ pub(crate) trait Solver {
     fn until(&self) -> f64;
     fn point(&self, state: State) -> Self::Point;
     /// The state of a point, as it was given to [`Solver::point`] or computed at the end of a phase.
-    fn state(point: &Self::Point) -> State;
+    fn state(point: &Self::Point) -> &State;
     /// Selects the motion that begins at a point in contact. `arrival` decides where a guard
     /// vanishes, since the sign of its rounded value does not.
     fn next_motion(&self, point: &Self::Point, arrival: Arrival) -> NextMotion;
@@ -110,7 +110,10 @@ pub(crate) struct SkippedLinks<P> {
 
 /// What is kept of a solved phase.
 pub(crate) trait Solution {
-    fn flight(&self) -> Option<&Flight>;
+    /// The rate of the gap at the start of a flight; none of another phase.
+    fn take_off_rate(&self) -> Option<f64>;
+    /// The largest gap of a flight. Asked for only until one has landed.
+    fn height(&self) -> f64;
     /// The range of the angle of a slide, where it is kept.
     fn theta_range(&self) -> Option<(f64, f64)> {
         None
@@ -154,9 +157,9 @@ pub(crate) enum PhaseEnd<P, O> {
 }
 
 impl<P, O> PhaseEnd<P, O> {
-    pub(crate) fn state(&self, of: impl Fn(&P) -> State) -> Option<State> {
+    pub(crate) fn state(&self, of: impl Fn(&P) -> &State) -> Option<State> {
         match self {
-            Self::Rest { point, .. } | Self::Event { point, .. } => Some(of(point)),
+            Self::Rest { point, .. } | Self::Event { point, .. } => Some(*of(point)),
             Self::Landing { state, .. }
             | Self::Settled { state, .. }
             | Self::Singular { state, .. } => Some(*state),
@@ -182,6 +185,10 @@ pub(crate) trait Recorder<S> {
     /// Links are skipped only if no solutions are needed.
     fn detail(&self) -> PhaseDetail {
         PhaseDetail::Solutions
+    }
+    /// Number of half swings with rolling resistance so far, where they are counted.
+    fn half_swings(&self) -> usize {
+        0
     }
     /// Records skipped links: the number of transitions, and the phases at the current detail.
     fn links(&mut self, _transitions: u32, _phases: PhaseSequence) {}

@@ -151,6 +151,23 @@ pub(crate) fn whole_range() -> impl Strategy<Value = (Hoop, Start)> {
         .no_shrink()
 }
 
+/// A hoop whose rotation the plane resists and a start, over the whole accepted range, level or on
+/// a slope, at time and position 0.
+pub(crate) fn whole_range_resisted() -> impl Strategy<Value = (Hoop, Start)> {
+    any::<u64>()
+        .prop_map(|seed| {
+            let mut draw = Draw::of_case(seed, 0, 0);
+            let (hoop, start) = draw.motion();
+            let hoop = if draw.comes(0.3) {
+                draw.on_slope(&hoop)
+            } else {
+                hoop
+            };
+            (draw.resisted(&hoop), start.with_time(0.0).with_x(0.0))
+        })
+        .no_shrink()
+}
+
 /// A power of ten, of either sign.
 fn signed_power(powers: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
     (powers, any::<bool>()).prop_map(|(power, up)| {

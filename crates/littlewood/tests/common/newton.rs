@@ -257,7 +257,9 @@ impl Sizes {
     /// rounded as well: a slide may return to exactly the limit of friction at which it began.
     pub(crate) fn of_motion(hoop: &Hoop, state: State) -> Self {
         let angles = std::f64::consts::PI + 2.0 * state.theta.abs();
-        Self::with_angle(hoop, &Start::from(state), f64::EPSILON * angles)
+        // A clock that reads τ resolves θ to θ′ ulp(τ).
+        let ticks = (state.theta_rate * state.time).abs();
+        Self::with_angle(hoop, &Start::from(state), f64::EPSILON * (angles + ticks))
     }
 
     /// With the rounding of the angle.
@@ -269,20 +271,31 @@ impl Sizes {
         let (sin, along, u) = (sin.abs(), along.abs(), start.theta_rate * start.theta_rate);
         let bottom = inertia + mass * (1.0 - h) * (1.0 - h);
         let half = libm::cos(0.5 * start.theta);
-        let d = bottom + 4.0 * l * half * half;
+        let free = bottom + 4.0 * l * half * half;
+        // Rolling resistance presses the hoop to the plane, or off it.
+        let chi = hoop.rolling_resistance();
+        let turns = if start.theta_rate == 0.0 {
+            sin
+        } else {
+            libm::sin(start.theta) * start.theta_rate.signum()
+        };
+        let d = (free - chi * l * turns).abs();
         let unit = ROUNDINGS * f64::EPSILON;
         // h is rounded before 1 − h is squared.
-        let relative = unit * (1.0 + 2.0 * mass * (1.0 - h) / d);
-        let driven = l * sin * (down + u) + (mass + l) * along;
-        let normal = mass * down + l * u + l * sin * driven / d;
+        let relative = unit * (free + chi * l * sin + 2.0 * mass * (1.0 - h)) / d;
+        let press = mass * down + l * u;
+        let driven = l * sin * (down + u) + (mass + l) * along + chi * press;
+        let normal = press + l * sin * driven / d;
         let level = l * sin * (u * (inertia + l * (1.0 + h)) + (mass + l) * down);
-        let friction = (level + (mass * inertia + l * l * sin * sin) * along) / d;
+        let resisted = (mass + l) * press + l * sin * (l * sin * u + mass * along);
+        let friction = (level + (mass * inertia + l * l * sin * sin) * along + chi * resisted) / d;
         // The forces change with the angle by these rates at most.
-        let spin = (l * (down + u) + (mass + l) * along) / d;
-        let turning = 2.0 * (1.0 + l / d);
+        let spin = (l * (down + u) + (mass + l) * along + chi * press) / d;
+        let turning = 2.0 * (1.0 + l * (1.0 + chi) / d);
         let normal_by_angle = l * (u + spin * turning);
         let friction_by_angle =
-            l * (u * (inertia + l * (1.0 + h)) + (mass + l) * down) / d + friction * turning;
+            l * (u * (inertia + l * (1.0 + h)) + (mass + l) * (down + chi * (down + u))) / d
+                + friction * turning;
         Self {
             mass,
             h,

@@ -10,6 +10,11 @@ import { jumpOf, liftingOff, percent, plain, THREE } from '../numbers';
 import { fill } from '../rich';
 import { PICTURES } from '../text';
 
+/** The turn that is asked for, and how near to it is near enough, in degrees. */
+const [WHOLE, CLOSE] = [360, 2];
+
+const { says } = PICTURES.angle;
+
 const NAMES = ['first', 'second', 'third'] as const;
 
 const radians = (value: number): number => (value * Math.PI) / 180;
@@ -25,13 +30,18 @@ export function angle(picture: Picture): void {
   };
   const slider = picture.slider(
     'angle',
-    { min: 5, max: 75, step: 1, first: 45, text: (value) => `${plain(value)}°` },
+    { min: 20, max: 80, step: 0.1, first: 45, text: (value) => `${plain(value)}°` },
     (value) => {
       take(value);
       player.go(player.time);
     },
   );
   take(slider.value);
+  // A move of the slider is one try, however far it is dragged.
+  slider.input.addEventListener('change', () => {
+    tries += 1;
+  });
+  let tries = 0;
   const turned = (motion: Motion): number => jumpOf(motion)?.turned ?? NaN;
   // Its time is the part of the flight that has passed, the same for all three.
   const player = picture.player(
@@ -99,18 +109,25 @@ export function angle(picture: Picture): void {
     );
     words(c, picture.word(NAMES[place]!), [x, floor + 16], palette, 'center', 13);
   };
+  const task = (by: number): string => {
+    const left = WHOLE - by;
+    if (Math.abs(left) < CLOSE) return fill(says.done, { tries: plain(tries + 1) });
+    const open = fill(says.task, { whole: `${WHOLE}°`, close: `${CLOSE}°` });
+    return `${open} ${fill(left > 0 ? says.more : says.less, { by: `${plain(Math.abs(left))}°` })}`;
+  };
   picture.live(
     (c, { width, height }, palette) => {
       for (const place of THREE.keys()) one(c, place, width / 3, height, palette);
     },
     () => {
       const [first, second, third] = motions.map((motion) => inDegrees(turned(motion)));
-      return fill(PICTURES.angle.says.turned, {
+      const said = fill(says.turned, {
         angle: `${plain(slider.value)}°`,
         first: first!,
         second: second!,
         third: third!,
       });
+      return `${said} ${task((turned(motions[0]!) * 180) / Math.PI)}`;
     },
     () => linkTo(liftingOff(THREE[1]!, radians(slider.value))),
   );

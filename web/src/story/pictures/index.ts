@@ -12,18 +12,22 @@ import { inertia } from './inertia';
 import { liftoff } from './liftoff';
 import { map } from './map';
 import { question } from './question';
+import { race } from './race';
 import { climb, ramp } from './ramp';
+import { release } from './release';
 
 /** Fills a picture with controls and what it draws. */
 export type Fill = (picture: Picture) => void;
 
 const FILLS: Readonly<Record<PictureName, Fill>> = {
+  release,
   question,
   forces,
   cone,
   inertia,
   liftoff,
   map,
+  race,
   angle,
   film,
   bounce,

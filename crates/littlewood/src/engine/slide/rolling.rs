@@ -570,14 +570,13 @@ impl<'a> Roll<'a> {
                 let Some(table) = self.table(interval) else {
                     continue;
                 };
-                let entrance =
-                    table
-                        .solutions
-                        .enter(angle, u, |u_centre| table.signs(u_centre), |_| None);
-                if let Some(entrance) = entrance {
-                    let is_whole = entrance.segment.end == table.solutions.end;
-                    let edge = is_whole.then(|| interval.exit());
-                    return Some(self.follow_regular(&entrance.segment, entrance.z, edge));
+                let solutions = &table.solutions;
+                let signs = |u_centre| table.signs(u_centre);
+                if let Some(entrance) = solutions.enter(angle, u, signs) {
+                    let edge = entrance.is_to_exit.then(|| interval.exit());
+                    let from = entrance.z;
+                    let segment = solutions.segment(entrance, None);
+                    return Some(self.follow_regular(&segment, from, edge));
                 }
             }
         }

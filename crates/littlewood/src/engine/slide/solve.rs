@@ -258,10 +258,17 @@ impl<'a> Slide<'a> {
         let min_halvings = coarsest(slope, point.u)?;
         for halvings in min_halvings..=HALVINGS {
             for interval in AngleInterval::about(frame.theta, halvings) {
-                let table = tables.get(law, frame.sigma, interval);
-                if let Some(found) = table.and_then(|table| table.enter(&point)) {
-                    let edge = found.segment.exit.is_some().then(|| interval.exit());
-                    return Some(self.follow_regular(&found.start, &found.segment, edge));
+                let Some(table) = tables.get(law, frame.sigma, interval) else {
+                    continue;
+                };
+                if let Some(entrance) = table.enter(&point) {
+                    let edge = entrance.is_to_exit.then(|| interval.exit());
+                    let start = SlidePoint {
+                        z: entrance.z,
+                        ..point
+                    };
+                    let segment = table.segment(entrance);
+                    return Some(self.follow_regular(&start, &segment, edge));
                 }
             }
         }
@@ -309,8 +316,12 @@ impl<'a> Slide<'a> {
                 break;
             } else {
                 // An event may lie on this interval: it is searched.
-                let whole = table.whole_interval(&self.point, u_centre, time, signs);
-                self.follow_regular(&whole.start, &whole.segment, next)?
+                let start = SlidePoint {
+                    z: -table.solutions.end,
+                    ..self.point
+                };
+                let segment = table.whole_interval(u_centre, time, signs);
+                self.follow_regular(&start, &segment, next)?
             };
             if end.is_some() {
                 return Ok(end);

@@ -240,16 +240,15 @@ pub(super) struct Crossing<'a> {
     pub(super) u_exit: f64,
 }
 
-/// A segment from a table, with the coordinate at which a solution enters it.
+/// Where a solution enters a table, and how far it is followed in it.
 pub(super) struct Entrance<S> {
     pub(super) z: f64,
-    pub(super) segment: RegularSegment<S>,
-}
-
-/// A segment from a table, and the point at which the slide enters it.
-pub(super) struct TableSegment {
-    pub(super) start: SlidePoint,
-    pub(super) segment: RegularSegment,
+    end: f64,
+    u_centre: f64,
+    degree: usize,
+    signs: S,
+    /// Whether it leads to the end of the interval.
+    pub(super) is_to_exit: bool,
 }
 
 impl SlideTables {
@@ -431,7 +430,7 @@ impl SolutionTable {
         core::array::from_fn(|k| self.p[k] + u_centre * self.h[k])
     }
 
-    /// The segment from a point to the end of the interval, or half as far, with its signs from u_c.
+    /// The way from a point to the end of the interval, or half as far, with its signs from u_c.
     /// None if the point lies elsewhere, where u is not known to stay away from zero, and where the
     /// signs are unknown.
     #[inline(always)]
@@ -440,7 +439,6 @@ impl SolutionTable {
         angle: Angle,
         u: f64,
         signs: impl FnOnce(f64) -> S,
-        exit: impl FnOnce(f64) -> Option<SegmentExit>,
     ) -> Option<Entrance<S>> {
         let z = self.coordinate(angle);
         if !(z >= -1.0 && z < self.end - MIN_LENGTH) {
@@ -464,31 +462,43 @@ impl SolutionTable {
         if signs.are_unknown() {
             return None;
         }
-        let u = self.u(u_centre);
         // The ellipse about a part of the interval lies in the disc of the sizes of its terms.
         let is_known = is_on_interval && self.is_zero_free(u_centre);
         let is_zero_free = |end: &f64| {
-            let by_terms = || RegularSegment::is_zero_free(&u[..=degree], span(*end));
+            let by_terms = || {
+                let u = self.u(u_centre);
+                RegularSegment::is_zero_free(&u[..=degree], span(*end))
+            };
             may_be_zero_free(end) && (is_known || by_terms())
         };
         let end = ends.find(is_zero_free)?;
         Some(Entrance {
             z,
-            segment: RegularSegment {
-                width: self.width,
-                u,
-                degree,
-                signs,
-                angle: self.angle,
-                end,
-                known_time: None,
-                exit: if end == self.end {
-                    exit(u_centre)
-                } else {
-                    None
-                },
-            },
+            end,
+            u_centre,
+            degree,
+            signs,
+            is_to_exit: end == self.end,
         })
+    }
+
+    /// The segment behind an entrance, with what is kept for its end.
+    #[inline(always)]
+    pub(super) fn segment<S>(
+        &self,
+        entrance: Entrance<S>,
+        exit: Option<SegmentExit>,
+    ) -> RegularSegment<S> {
+        RegularSegment {
+            width: self.width,
+            u: self.u(entrance.u_centre),
+            degree: entrance.degree,
+            signs: entrance.signs,
+            angle: self.angle,
+            end: entrance.end,
+            known_time: None,
+            exit,
+        }
     }
 
     /// The whole interval, for a solution that crosses it in this time.
@@ -545,19 +555,12 @@ impl SlideTable {
     #[inline]
     pub(super) fn whole_interval(
         &self,
-        start: &SlidePoint,
         u_centre: f64,
         time: f64,
         signs: SlipSigns,
-    ) -> TableSegment {
+    ) -> RegularSegment {
         let exit = Some(self.segment_exit(u_centre));
-        TableSegment {
-            start: SlidePoint {
-                z: -self.solutions.end,
-                ..*start
-            },
-            segment: self.solutions.whole(u_centre, time, signs, exit),
-        }
+        self.solutions.whole(u_centre, time, signs, exit)
     }
 
     fn segment_exit(&self, u_centre: f64) -> SegmentExit {
@@ -567,20 +570,20 @@ impl SlideTable {
         }
     }
 
-    /// The segment of a slide from a point to the end of the interval, or half as far. None if the
-    /// point lies elsewhere, where u is not known to stay away from zero, and where η″ may change
-    /// its sign twice.
-    pub(super) fn enter(&self, point: &SlidePoint) -> Option<TableSegment> {
-        let Entrance { z, segment } = self.solutions.enter(
-            point.angle,
-            point.u,
-            |u_centre| self.signs(u_centre),
-            |u_centre| Some(self.segment_exit(u_centre)),
-        )?;
-        Some(TableSegment {
-            start: SlidePoint { z, ..*point },
-            segment,
-        })
+    /// The way of a slide from a point to the end of the interval, or half as far. None if the point
+    /// lies elsewhere, where u is not known to stay away from zero, and where η″ may change its sign
+    /// twice.
+    pub(super) fn enter(&self, point: &SlidePoint) -> Option<Entrance<SlipSigns>> {
+        let signs = |u_centre| self.signs(u_centre);
+        self.solutions.enter(point.angle, point.u, signs)
+    }
+
+    /// The segment behind an entrance.
+    #[inline]
+    pub(super) fn segment(&self, entrance: Entrance<SlipSigns>) -> RegularSegment {
+        let is_to_exit = entrance.is_to_exit;
+        let exit = is_to_exit.then(|| self.segment_exit(entrance.u_centre));
+        self.solutions.segment(entrance, exit)
     }
 
     /// n³ P σ η″ of a slide in Bernstein form.

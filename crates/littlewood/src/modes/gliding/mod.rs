@@ -13,7 +13,7 @@ mod tilted;
 
 use crate::math::number::Number;
 use crate::math::trig::Angle;
-use crate::mechanics::{Accelerations, Clearance, ContactForces, Loads};
+use crate::mechanics::{Accelerations, Clearance, ContactForces, Loads, energy};
 use crate::model::{Friction, Hoop, Massless, Mode, SlipDirection, State};
 use crate::modes::{Instant, Sample};
 
@@ -266,6 +266,19 @@ impl Gliding {
             couple: 0.0,
             clearance: Clearance::NONE,
         };
-        instant.sample(hoop, state)
+        let mut sample = instant.sample(hoop, state);
+        if state.theta_rate.is_infinite() {
+            // At the bottom the particle has its velocity, but no arm: the energy is that of the
+            // whole glide, and the accelerations tend to infinity.
+            sample.energy = energy(hoop, &self.start, 0.0, 0.0);
+            sample.theta_acceleration = self.particle.side * f64::INFINITY;
+            let towards = if self.particle.inside > 0.0 {
+                1.0
+            } else {
+                -1.0
+            };
+            sample.slip_acceleration = towards * sample.theta_acceleration;
+        }
+        sample
     }
 }

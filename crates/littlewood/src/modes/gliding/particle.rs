@@ -86,7 +86,7 @@ impl ParticleState {
     /// |ℓ̂ sin θ|.
     pub(super) fn arm(&self) -> f64 {
         let square = self.below_top * self.above_bottom;
-        // Of a tiny ℓ̂ the square underflows.
+        // Next to the top of a small ℓ̂ the square underflows.
         if square < f64::MIN_POSITIVE {
             self.below_top.sqrt() * self.above_bottom.sqrt()
         } else {

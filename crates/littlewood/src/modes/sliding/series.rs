@@ -5,7 +5,7 @@
 //! solve the equations of [`SlidingLaw`].
 
 use crate::math::number::Number;
-use crate::math::series::{DEGREE, Series, convolve, value};
+use crate::math::series::{DEGREE, Series, convolve_pairs, value};
 use crate::mechanics::{SlidingLaw, contact};
 use crate::model::Heavy;
 
@@ -64,11 +64,6 @@ impl<T: Number> SlideSeries<T> {
             contact: zero,
             painleve: zero,
         };
-        let (mut sin, mut cos, mut u, mut q) = (zero, zero, zero, zero);
-        let (mut slip_coefficient, mut acceleration) = (zero, zero);
-        // j θ_j: coefficients of dθ in sin θ = ∫ cos θ dθ and cos θ = −∫ sin θ dθ.
-        let mut increment = zero;
-
         s.theta[0] = theta;
         s.theta_rate[0] = rate;
         if h.value() == 0.0 {
@@ -80,44 +75,50 @@ impl<T: Number> SlideSeries<T> {
             (s.slip[0], s.slip[1]) = (slip, acceleration - law.mean_slip_loss());
             return s;
         }
+        let pairs = [[T::constant(0.0); 2]; DEGREE + 1];
+        // Factors of products: j θ_j, the coefficients of dθ in sin θ = ∫ cos θ dθ and cos θ = −∫ sin
+        // θ dθ, and θ′, twice each; cos θ and sin θ; q.
+        let (mut increments, mut rates, mut angles, mut q) = (pairs, pairs, pairs, zero);
+        // From the last to the first, as far as they are known: cos θ and sin θ; θ′ and its
+        // coefficient in the first integral; u = θ′² and q; w; θ″.
+        let (mut angles_back, mut factors_back, mut drives_back) = (pairs, pairs, pairs);
+        let (mut contact_back, mut acceleration_back) = (zero, zero);
         let angle = theta.angle();
-        (sin[0], cos[0]) = (angle.sin, angle.cos);
+        angles[0] = [angle.cos, angle.sin];
         let mut order = 0.0;
-        for n in 0..=highest {
+        for n in 0..=highest.min(DEGREE) {
+            let last = DEGREE - n;
             if n > 0 {
-                s.theta_rate[n] = acceleration[n - 1] / order;
+                s.theta_rate[n] = acceleration_back[last + 1] / order;
                 s.theta[n] = s.theta_rate[n - 1] / order;
-                increment[n] = s.theta[n] * order;
+                increments[n] = [s.theta[n] * order; 2];
+                let [forth, back] = convolve_pairs(&increments[..=n], &angles_back[last..]);
+                angles[n] = [-(back / order), forth / order];
             }
-            let [square, forth, back] = convolve(
-                [
-                    (&s.theta_rate, &s.theta_rate),
-                    (&increment, &cos),
-                    (&increment, &sin),
-                ],
-                n,
-            );
-            u[n] = square;
-            if n > 0 {
-                sin[n] = forth / order;
-                cos[n] = -(back / order);
-            }
+            let [cos, sin] = angles[n];
+            angles_back[last] = angles[n];
+            rates[n] = [s.theta_rate[n]; 2];
             let constant = if n == 0 { 1.0 } else { 0.0 };
-            q[n] = law.q(constant, sin[n], cos[n]);
-            slip_coefficient[n] = h * cos[n] + constant + friction * h * sin[n];
-            let [cos_u, sin_q, coefficient_rate] = convolve(
-                [(&cos, &u), (&sin, &q), (&s.theta_rate, &slip_coefficient)],
-                n,
-            );
+            let slip_coefficient = h * cos + constant + friction * h * sin;
+            factors_back[last] = [s.theta_rate[n], slip_coefficient];
+            let [square, coefficient_rate] = convolve_pairs(&rates[..=n], &factors_back[last..]);
+            q[n] = law.q(constant, sin, cos);
+            drives_back[last] = [square, q[n]];
+            let [cos_u, sin_q] = convolve_pairs(&angles[..=n], &drives_back[last..]);
             s.contact[n] = contact(constant, h, cos_u);
+            contact_back[last] = s.contact[n];
             s.painleve[n] = inertia * constant + m * h * sin_q;
             s.slip[n] = coefficient_rate;
-            let [driven] = convolve([(&q, &s.contact)], n);
-            let mut remainder = m * driven;
-            for j in 1..=n {
-                remainder = remainder - s.painleve[j] * acceleration[n - j];
+            let mut driven = T::constant(0.0);
+            for (q, contact) in q[..=n].iter().zip(&contact_back[last..]) {
+                driven = driven + *q * *contact;
             }
-            acceleration[n] = remainder / s.painleve[0];
+            let mut remainder = m * driven;
+            let before = &acceleration_back[last + 1..];
+            for (p, acceleration) in s.painleve[1..=n].iter().zip(before) {
+                remainder = remainder - *p * *acceleration;
+            }
+            acceleration_back[last] = remainder / s.painleve[0];
             order += 1.0;
         }
         // First integral of sliding: η′ = const − (μk σ + tan α) τ + θ′ (1 + h cos θ + μk σ h sin
