@@ -9,6 +9,7 @@
 #
 # At the default tolerances one interval raises a RuntimeError (CV_ILL_INPUT: the step in which the event lies is already behind).
 # So does any output interval in which two landings lie. `erk` gives 0.125 for all of these. 41 s, most of it installing.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages casadi==3.8.2 numpy==2.4.6
 

@@ -9,6 +9,7 @@
 #   tolerance 1e-12:    heights -0.6250  0.6250, transitions 0 1
 #
 # The output grid (1, 10 or 100 intervals) makes no difference. 32 s, most of it installing.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages casadi==3.8.2 numpy==2.4.6
 

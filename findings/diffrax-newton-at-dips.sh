@@ -6,6 +6,7 @@
 # With `optimistix.Newton(1e-5, 1e-5, rms_norm)`, which the documentation of `Event` has,
 # 44 of the 100 solves end with an error of the nonlinear solver, 56 with the event.
 # `optimistix.Bisection` finds all 100. 171 s, of which 100 install.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages diffrax==0.7.2 optimistix==0.1.0 equinox==0.13.8 jax==0.10.2 jaxlib==0.10.2 numpy==2.4.6
 

@@ -5,6 +5,7 @@
 # Seen: regr_slope 0.50068 for 0.5, corr 1.00000002, var_samp(t) 0.3 % too small.
 # With t - 1.76e9 in the same query all are right to 1e-9. Of the same table pandas 3.1.1 and Arrow 26.0.1 have the variance right to 1e-14;
 # Polars 2.1.0 is 1e-4 off. 111 s, most of it installing.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages duckdb==2.0.1 polars==2.1.0 pandas==3.1.1 pyarrow==26.0.1 numpy==2.4.6
 

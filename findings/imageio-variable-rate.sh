@@ -9,10 +9,11 @@
 #   the same film with B-frames, plugin `FFMPEG`: 36 frames
 #
 # Neither plugin tells the times of frames that it yields, so that number over rate is what a user has. 80 s, most of it installing.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages av==18.1.0 imageio==2.38.1 imageio-ffmpeg==0.8.1 numpy==2.4.6
 
-cd "$folder"
+cd "$folder" || exit
 python - <<'PYTHON'
 from fractions import Fraction
 

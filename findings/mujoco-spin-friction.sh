@@ -9,6 +9,7 @@
 #   elliptic    0.11         1.00   1.00
 #
 # The first column has the defaults of impratio and cone. With c = 1e-3 m the defaults reach 0.40, elliptic cones 1.00. 128 s, most of it installing.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages mujoco==4.0.0 numpy==2.4.6
 

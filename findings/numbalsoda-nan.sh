@@ -5,6 +5,7 @@
 # Seen: the flag of success is True, and the value at 1/2 is NaN, also where nothing later is asked for: the method has stepped beyond 1.
 # `dop853` of the same package reports the failure, and has the value at 1/2.
 # Its wheels are for Python 3.10 and before: PYTHON=python3.10 findings/numbalsoda-nan.sh. 121 s, most of it installing.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages numbalsoda==0.3.4 numba==0.61.2 numpy==2.2.6
 

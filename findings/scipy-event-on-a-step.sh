@@ -5,6 +5,7 @@
 # Seen for RK23, Radau, BDF and LSODA: `t_events` is [1, 1], once for each of the two steps that meet there.
 # RK45 and DOP853, whose value is below 1 by rounding, report it once.
 # With `terminal = 2`, which is to stop at the second crossing, these four methods stop at the first. 63 s, most of it installing.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages scipy==1.17.1 numpy==2.4.6
 

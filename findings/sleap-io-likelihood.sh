@@ -5,10 +5,11 @@
 # `save_csv(…, format="sleap")` has the scores; `format="dlc"` has the columns `likelihood`, and leaves every cell of them empty,
 # so that whoever drops points below a likelihood, as DeepLabCut's tools do, keeps none of them.
 # 170 s, most of it installing.
+# shellcheck source=findings/common.sh
 source "$(dirname "$0")/common.sh"
 packages sleap-io==0.9.5 pandas==3.1.1
 
-cd "$folder"
+cd "$folder" || exit
 python - <<'PYTHON'
 import csv
 

@@ -44,6 +44,7 @@ include_patterns = [
     "docs/**/*.md",
     "python/docs/*.md",
     "evidence/README.md",
+    "findings/README.md",
     "evidence/bench/README.md",
     "evidence/reference/README.md",
     "evidence/truth/families.md",
