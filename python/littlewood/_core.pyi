@@ -114,6 +114,15 @@ class _BouncingOrbit(TypedDict):
     period: float
     start: _StartByName
 
+class _ClassAt(TypedDict):
+    value: float
+    class_name: str
+
+class _Threshold(TypedDict):
+    sides: list[_ClassAt] | None
+    has_unresolved_between: bool
+    text: str
+
 class _DerivedHoop(TypedDict):
     mass: float
     h: float
@@ -307,6 +316,13 @@ def simulate(
     proof: str,
 ) -> Trajectory: ...
 def classify(given: _Hoop, start_numbers: _Numbers) -> dict[str, Any]: ...
+def threshold(
+    given: _Hoop,
+    start_numbers: _Numbers,
+    of: str,
+    between: tuple[float, float] | None,
+    until: float | None,
+) -> _Threshold: ...
 def summaries(
     columns: list[_Reals | None],
     law_name: str | None,

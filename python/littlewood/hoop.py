@@ -10,7 +10,7 @@ from ._frozen import Frozen
 from ._html import hoop_html
 from ._internal.elementwise import real
 from .bouncing import BouncingOrbit
-from .motion import Classification, RollingEnd, Start
+from .motion import ClassAt, Classification, RollingEnd, Start, Threshold
 from .phase_plane import PhasePlane
 from .tables import HOOP, MAX_SLIDES, MAX_TRANSITIONS, PROOF, QUANTITIES, SI_HOOP, SI_START
 from .trajectory import Trajectory
@@ -371,6 +371,70 @@ class Hoop:
         found = _core.classify(self._given, start.numbers)
         end = found["rolling_end"] and RollingEnd(**found["rolling_end"])
         return Classification(**{**found, "rolling_end": end, "details": Frozen(found["details"])})
+
+    def threshold(
+        self,
+        *,
+        of: str,
+        between: tuple[float, float] | None = None,
+        theta: float,
+        theta_rate: float,
+        slip: float = 0.0,
+        gap_rate: float = 0.0,
+        until: float | None = None,
+    ) -> Threshold | None:
+        """Find the value of a quantity at which the class of a motion changes, to the last digit.
+
+        A motion counts up to its first landing. The search takes 200 steps, then halves the one in
+        which the class changes: what changes twice within a step is not seen.
+
+        Parameters
+        ----------
+        of : str
+            A quantity of the hoop or of the start, such as `mu_s`, `slope` or `theta_rate`.
+        between : (float, float), optional
+            Search from the first number on to the second. Without it the search goes from the value
+            of the motion to both sides, over the usual range of the quantity.
+        theta, theta_rate, slip, gap_rate : float
+            Start: θ in rad, θ′ in √(g/R), η′ and the rate of the gap in √(gR).
+        until : float, optional
+            Follow motions to this time, √(R/g).
+
+        Returns
+        -------
+        littlewood.motion.Threshold or None
+            None where the class does not change.
+
+        Raises
+        ------
+        ParameterError
+            For a name that is none, and for a value without physical meaning.
+
+        Examples
+        --------
+        A disc at rest on a plane with χ = 0.1 begins to roll where tan α = χ:
+
+        >>> import littlewood as lw
+        >>> disc = lw.Hoop(
+        ...     mass_ratio=1, offset=0, inertia=0.5, mu_s=0.5, mu_k=0.4, rolling_resistance=0.1
+        ... )
+        >>> found = disc.threshold(of="slope", between=(0, 0.3), theta=0, theta_rate=0)
+        >>> f"{found.below.class_name}, {found.above.class_name}, {found.above.value:.6f}"
+        'rests, rolls_forever, 0.099669'
+        """
+        start = Start(
+            time=0.0, theta=theta, theta_rate=theta_rate, slip=slip, gap_rate=gap_rate, x=0.0
+        )
+        ends = None
+        if between is not None:
+            first, last = between
+            ends = (real(first, "between[0]"), real(last, "between[1]"))
+        limit = None if until is None else real(until, "until")
+        found = _core.threshold(self._given, start.numbers, of, ends, limit)
+        if found["sides"] is None:
+            return None
+        below, above = (ClassAt(**side) for side in found["sides"])
+        return Threshold(of, below, above, found["has_unresolved_between"], found["text"])
 
     def bouncing_orbit(self, angle: float) -> BouncingOrbit | None:
         """Return the motion that bounces for ever with impacts at this angle.

@@ -14,6 +14,7 @@ from .tables import FINAL_OUTCOMES, IMPACT_LABELS, OUTCOME_LABELS, START
 
 __all__ = [
     "EDGES",
+    "ClassAt",
     "Classification",
     "ContactVelocities",
     "Edge",
@@ -24,6 +25,7 @@ __all__ = [
     "RollingEnd",
     "Start",
     "State",
+    "Threshold",
     "Transition",
 ]
 
@@ -318,6 +320,36 @@ class Classification:
     rolling_end: RollingEnd | None
     reverse_chatter: float | None
     details: Mapping[str, Any]
+
+
+class ClassAt(NamedTuple):
+    """A value of a quantity, and the class of its motion: a name of `lw.tables.CLASSES`."""
+
+    value: float
+    class_name: str
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """Where the class of a motion changes with a quantity: two neighbouring numbers.
+
+    Attributes
+    ----------
+    quantity : str
+        Name of the quantity.
+    below, above : littlewood.motion.ClassAt
+        The last number of the one class and the first of the other.
+    has_unresolved_between : bool
+        Whether there are numbers between them where rounding decides.
+    text : str
+        The same in words.
+    """
+
+    quantity: str
+    below: ClassAt
+    above: ClassAt
+    has_unresolved_between: bool
+    text: str
 
 
 @dataclass(frozen=True)

@@ -30,28 +30,14 @@ pub(crate) fn run(args: &ThresholdArgs) -> Result<(), Error> {
     )
 }
 
-/// Where to search: from the first number that was typed to the second, else the usual range of
-/// the quantity to both sides of the value of the motion.
+/// Where to search: in the range that was typed, else in the usual one of the quantity.
 fn range(of: &ThresholdOf, value: Option<f64>) -> Result<SearchRange, Error> {
-    if let Some(ends) = of.ends {
-        for end in ends {
-            let checked = of.quantity.check(end);
-            checked.map_err(|error| Error::Value { error })?;
+    match of.ends {
+        Some([first, last]) => {
+            SearchRange::between(of.quantity, first, last).map_err(|error| Error::Value { error })
         }
-        let [first, last] = ends;
-        return Ok(SearchRange {
-            from: first.min(last),
-            to: first.max(last),
-            near: first,
-        });
+        None => Ok(SearchRange::usual(of.quantity, value)),
     }
-    let [from, to] = of.quantity.row().usual;
-    let near = value.unwrap_or(from);
-    Ok(SearchRange {
-        from: from.min(near),
-        to: to.max(near),
-        near,
-    })
 }
 
 fn document(problem: &Problem, quantity: Quantity, found: Result<Threshold, Searched>) -> Value {

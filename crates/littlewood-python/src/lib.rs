@@ -44,6 +44,7 @@ mod _core {
         many::{classes, derivative_column, summaries},
         motion::{
             Trajectory, bouncing_orbit, check_hoop, check_proof, check_until, classify, simulate,
+            threshold,
         },
         palette::{curves, dashes, font, lengths, marked, swatches_of, unicode},
         plane::PhasePlane,

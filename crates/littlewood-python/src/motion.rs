@@ -4,10 +4,11 @@ use std::collections::TryReserveError;
 use std::io;
 
 use littlewood::impact::{BouncingOrbit, ContactVelocities, Impact};
-use littlewood::tables::Detail;
+use littlewood::tables::{Detail, Quantity, Setup, UnknownName};
 use littlewood::theory::{Candidates, Classification, RollingType};
+use littlewood::thresholds::{ClassAt, SearchRange};
 use littlewood::{
-    Limits, Mode, Phase, RestitutionLaw, Sample, SlipDirection, Start, Trajectory as Core,
+    Hoop, Limits, Mode, Phase, RestitutionLaw, Sample, SlipDirection, Start, Trajectory as Core,
 };
 use littlewood_report::page::{self, Look};
 use littlewood_report::scale::Scale;
@@ -19,7 +20,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::derivatives::{self, AtTimes, OfMotion};
-use crate::error::{refuse, too_large};
+use crate::error::{refuse, too_large, unknown};
 use crate::record::{
     ByName, CountLimits, GivenHoop, StartNumbers, StateDict, hoop, limits, start, start_by_name,
 };
@@ -546,6 +547,71 @@ pub(crate) fn classify(
     }
     dict.set_item("details", details)?;
     Ok(dict)
+}
+
+/// A value of a quantity, and the class of its motion.
+#[derive(IntoPyObject)]
+pub(crate) struct ClassAtDict {
+    value: f64,
+    class_name: &'static str,
+}
+
+impl From<ClassAt> for ClassAtDict {
+    fn from(ClassAt { value, class }: ClassAt) -> Self {
+        let class_name = class.name();
+        Self { value, class_name }
+    }
+}
+
+/// Where the class of a motion changes, if it does, and that in words.
+#[derive(IntoPyObject)]
+pub(crate) struct ThresholdDict {
+    sides: Option<[ClassAtDict; 2]>,
+    has_unresolved_between: bool,
+    text: String,
+}
+
+/// Finds the value of a quantity at which the class of a motion changes, with the interpreter
+/// released; without a range in the usual one.
+#[pyfunction]
+pub(crate) fn threshold(
+    py: Python<'_>,
+    given: GivenHoop,
+    start_numbers: StartNumbers,
+    of: &str,
+    between: Option<[f64; 2]>,
+    until: Option<f64>,
+) -> PyResult<ThresholdDict> {
+    let quantity: Quantity = of
+        .parse()
+        .map_err(|error: UnknownName| unknown(py, &error, "of", "a quantity"))?;
+    let mut setup = Setup::new(hoop(py, &given)?.parameters(), start(start_numbers));
+    let range = match between {
+        Some([first, last]) => {
+            SearchRange::between(quantity, first, last).map_err(|error| refuse(py, &error, None))?
+        }
+        None => SearchRange::usual(quantity, setup.get(quantity)),
+    };
+    // What is refused where the search begins is an error of the input.
+    setup.set(quantity, range.near);
+    let limits = Limits::default().with_until(until);
+    Hoop::new(setup.hoop)
+        .and_then(|hoop| hoop.classify(setup.start).and(limits.check(&setup.start)))
+        .map_err(|error| refuse(py, &error, None))?;
+    Ok(
+        match py.detach(|| range.of_motion(&setup, quantity, limits)) {
+            Ok(found) => ThresholdDict {
+                sides: Some([found.below, found.above].map(ClassAtDict::from)),
+                has_unresolved_between: found.has_unresolved_between,
+                text: sentence::threshold(quantity, &found).join(" "),
+            },
+            Err(searched) => ThresholdDict {
+                sides: None,
+                has_unresolved_between: false,
+                text: sentence::no_threshold(quantity, &searched),
+            },
+        },
+    )
 }
 
 /// A motion that bounces for ever.

@@ -1,6 +1,6 @@
 //! The value of a quantity at which the class of a motion changes, to the last digit.
 
-use crate::model::{Hoop, Limits, Quantity, Setup};
+use crate::model::{Hoop, Limits, ParameterError, Quantity, Setup};
 use crate::motion::class::Class;
 
 /// Steps in which a range is searched.
@@ -78,6 +78,33 @@ impl Class {
 }
 
 impl SearchRange {
+    /// The usual values of a quantity, searched from the one that a motion has; from the least
+    /// where it has none.
+    #[must_use]
+    pub fn usual(quantity: Quantity, value: Option<f64>) -> Self {
+        let [from, to] = quantity.row().usual;
+        let near = value.unwrap_or(from);
+        Self {
+            from: from.min(near),
+            to: to.max(near),
+            near,
+        }
+    }
+
+    /// From the first value of a quantity on to the last.
+    ///
+    /// # Errors
+    /// If one of them is none that the quantity can have.
+    pub fn between(quantity: Quantity, first: f64, last: f64) -> Result<Self, ParameterError> {
+        quantity.check(first)?;
+        quantity.check(last)?;
+        Ok(Self {
+            from: first.min(last),
+            to: first.max(last),
+            near: first,
+        })
+    }
+
     /// The threshold of a quantity of a hoop or a start, as [`SearchRange::nearest`]; the value that
     /// the quantity has is replaced.
     ///
