@@ -6,6 +6,9 @@ engine: DART
 contact: rigid
 settings: default careful
 requires: dartpy==6.20.0 numpy==2.4.6
+limits: friction=least force=1.00,+0 rolling=none rolling_small=none rolling_slow=none
+limits default: bounce=0.3
+limits careful: radius=10
 docs: https://dartsim.github.io/
 
 default: as the package comes: Dantzig's method, which bounds friction by the normal force that
