@@ -359,6 +359,16 @@ def test_exact_derivatives_of_the_residuals_are_their_differences(level, camera)
             np.testing.assert_allclose(found[name][:, k], difference, atol=2e-6)
 
 
+def test_three_frames_are_enough_for_five_unknowns(hoop):
+    time = np.array([0.0, 0.1, 0.2])
+    seen = hoop.simulate(theta=2.5, theta_rate=3)(time)
+    track = lw.Track(time, theta=seen.theta, x=seen.x)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        result = lw.fit(track, hoop, free=("mu_k",), slips_at_start=True)
+    assert result.start.theta_rate == pytest.approx(3.0, abs=0.1)
+
+
 def test_a_track_that_never_leaves_the_floor_is_given_no_bounces():
     """It was fitted as bounces too low to be seen; and as a start that slips, which rolls."""
     known = {"mass_ratio": 0.304332, "offset": 0.935033, "mu_s": 0.28737, "mu_k": 0.23889}

@@ -127,7 +127,7 @@ def explains(problem: Problem, unknowns: Reals) -> bool:
     """
     rest = problem.scaled(unknowns)
     count = rest.size // _FRAMES_OF_WAVE
-    sums = np.sum(rest[: count * _FRAMES_OF_WAVE].reshape(count, -1), axis=1)
+    sums = np.sum(rest[: count * _FRAMES_OF_WAVE].reshape(count, _FRAMES_OF_WAVE), axis=1)
     sums /= math.sqrt(_FRAMES_OF_WAVE)
     known, fdtri = EFFICIENCY * rest.size, require("scipy.special").fdtri
     for values in (rest, sums):
