@@ -15,6 +15,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -221,6 +222,34 @@ def leaves_out_of_rolling(random: Random) -> str:
     return f"{body} leaves at {bad[0].state}" if bad else ""
 
 
+def highest_climb(random: Random) -> str:
+    """Released from rest a hoop that rolls climbs by less than Φ∗h."""
+    from .slip_before_jump import best_turn, climb
+
+    ratio, offset = sized(random, 0.01, 10.0), float(random.choice([1.0, random.uniform(0.1, 1.0)]))
+    h, best = offset / (1.0 + ratio), climb(best_turn()) / best_turn()
+    sine = h * float(random.choice([best, random.uniform(0.02, 0.99)]))
+    slope = math.asin(sine)
+    body = Body(
+        mass_ratio=ratio,
+        offset=offset,
+        inertia=ratio * random.uniform(0.2, 1.0),
+        mu_s=1e3,
+        mu_k=1e3,
+        # The independent program looks for turning points only where something resists.
+        chi=1e-13,
+        slope=slope,
+    )
+    # Below the unstable equilibrium downhill.
+    theta = 2.0 * math.pi - math.asin(sine / h) - slope - sized(random, 1e-3, 2.0)
+    walked = body.follow(theta, 0.0, until=1e3, most=1)
+    require(walked.first[0] == "rolling")
+    require([one.cause for one in walked.events] == ["turning_point"])
+    height = (theta - walked.events[0].state.theta) * sine
+    require(height > 0.0)
+    return "" if height < climb(best_turn()) * h else f"{body} from {theta} climbs {height / h} h"
+
+
 def thrown(body: Body, theta: float, rate: float, e: float) -> tuple[float, float, float, float]:
     """Return w, a, b and the ratio of two small bounces out of rolling: flight and impact."""
     hoop, u = body.hoop, rate * rate
@@ -271,6 +300,41 @@ def slip_begins(random: Random) -> str:
     least = (body.mu_s - body.mu_k) * d * hoop.i * w / (static * kinetic)
     good = abs(x2 + turn) >= least * (1.0 - 1e-9) or static <= 0.0
     return "" if good else f"{body} at {theta}, {rate}: {abs(x2 + turn)} < {least}"
+
+
+def slips_fade(random: Random) -> str:
+    """Just above the limit slips with μs = μk do not end, and take c ε² off the distance ε."""
+    from .contact import Contact
+    from .grazing import grazing_orbits
+
+    h, mu = random.uniform(0.1, 0.9), sized(random, 0.05, 1.0)
+    ratio = 1.0 / h - 1.0
+    inertia = ratio * random.uniform(0.2, 1.0)
+    body = Body(mass_ratio=ratio, offset=1.0, inertia=inertia, mu_s=mu, mu_k=mu)
+    require(least_p(body, mu) > 0.0)
+    contact = Contact(body.hoop.m, body.h, body.hoop.i)
+    orbits = grazing_orbits(contact, mu)
+    require(bool(orbits))
+    orbit, off = orbits[0], []
+    law = orbit.loss(mu)
+    for small in (2e-4, 1e-5):
+        begin = orbit.energy + small / law
+        rate = math.sqrt(2.0 * (begin + contact.m * contact.h) / contact.denominator(math.pi))
+        walked = body.follow(math.pi, rate, until=1e3, most=5)
+        if walked.ended == "time_limit":
+            return f"{body} with the energy {begin} slips no more"
+        require([one.cause for one in walked.events] == ["slip", "stick", "slip", "stick", "slip"])
+        slips = [one.state for one in walked.events if one.cause == "slip"]
+        # Farther above the limit it slips elsewhere, too.
+        width = orbit.rate * math.sqrt(2.0 * orbit.rise * small / law / orbit.fall)
+        angles = [abs(math.remainder(one.theta, 2.0 * math.pi)) for one in slips]
+        at = abs(math.remainder(orbit.theta, 2.0 * math.pi))
+        require(all(abs(angle - at) < 3.0 * width for angle in angles))
+        left = [contact.energy(one.theta, one.rate**2) - orbit.energy for one in slips]
+        off.append(max(abs((1.0 / b - 1.0 / a) / law - 1.0) for a, b in pairwise(left)))
+    # The law leaves terms of the root of ε, which is smaller by the factor 4.5.
+    good = off[1] < 0.4 * off[0] + 0.003
+    return "" if good else f"{body}: off by {off}"
 
 
 def band(random: Random) -> str:
@@ -457,8 +521,10 @@ ATTACKS = (
     Attack("best-hop", "angle", 1_500, best_hop),
     Attack("bouncing-for-ever", "turning", 3_000, turns_for_ever),
     Attack("slip-before-jump", "leaves", 2_000, leaves_out_of_rolling),
+    Attack("slip-before-jump", "climb", 3_000, highest_climb),
     Attack("bounces-out-of-nothing", "ratio", 20_000, bounces_grow),
     Attack("how-many-slips", "begins", 15_000, slip_begins),
+    Attack("how-many-slips", "fades", 2_000, slips_fade),
     Attack("band", "motion", 15_000, band),
     Attack("rolling-resistance", "rest", 2_000, rests),
     Attack("rolling-resistance", "dead stop", 300, dead_stop),

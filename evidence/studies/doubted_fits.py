@@ -4,13 +4,21 @@ from __future__ import annotations
 
 import csv
 import functools
+from typing import TYPE_CHECKING
 
+import numpy as np
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import panels
+from littlewood.style import FINE, INK, LINE, PAPER, SOFT
 from scipy.stats import binomtest
 
 from .film.command import KINDS
 from .film.faults import FAULTS, WRONG
 from .page import share, table
 from .study import PAGES, Study
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 CAUSES = {
     "scale": ("camera_scale",),
@@ -142,6 +150,33 @@ def at_most(rows: list[dict[str, str]]) -> float:
     return float(binomtest(unsaid(rows), len(rows), alternative="less").proportion_ci(0.95).high)
 
 
+def picture() -> Figure:
+    """How many fits are wrong, and how many are doubted, by fault."""
+    figure, (axis,) = panels(1, height=480.0)
+    names = list(FAULTS)
+    parts = {
+        "wrong, doubted": (True, True),
+        "wrong, not doubted": (True, False),
+        "right, doubted": (False, True),
+        "right, not doubted": (False, False),
+    }
+    left = np.zeros(len(names))
+    colours = (SOFT, INK, LINE, PAPER)
+    for (label, part), colour in zip(parts.items(), colours, strict=True):
+        counts = np.array(
+            [
+                sum((is_wrong(row), bool(doubts_of(row))) == part for row in rows_of(name))
+                for name in names
+            ]
+        )
+        axis.barh(names, counts, left=left, color=colour, edgecolor=INK, lw=FINE, label=label)
+        left += counts
+    axis.set_ylim(len(names) - 0.4, -0.6)
+    axis.set(xlabel="fits", xlim=(0, float(left.max())))
+    key(axis)
+    return figure
+
+
 STUDY = Study(
     name="doubted-fits",
     texts={
@@ -152,6 +187,6 @@ STUDY = Study(
         "causes": of_causes,
         "alarms": alarms,
     },
-    pictures={},
+    pictures={"doubts": picture},
 )
 """Fits of films with a fault that the fit does not know of."""

@@ -232,6 +232,7 @@ STUDY = Study(
     name="how-many-slips",
     texts={
         "attack": lambda: said("how-many-slips", "begins"),
+        "attack fades": lambda: said("how-many-slips", "fades"),
         "rate": rate_text,
         "gap": gap_text,
         "last": last_text,

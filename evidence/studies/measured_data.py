@@ -6,17 +6,23 @@ import csv
 import functools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import littlewood as lw
 import numpy as np
 import numpy.typing as npt
 from littlewood.fitting.fall import Fall, fall_of
+from littlewood.plot.sheet import panels
 
 from .film.command import ALL, FITS, KINDS, filmed, random_motions
 from .film.resistance import resistance_rows
-from .film.throws import throw
+from .film.throws import FREE, throw
 from .page import share, table
+from .pictures import calibration
 from .study import PAGES, Study
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 RATES = (24.0, 30.0, 60.0, 120.0, 240.0)
 TRACKS = 1000
@@ -243,6 +249,16 @@ def of_held_resistance() -> list[str]:
     return table(["rolling resistance", "kind", "tracks", "wrong", "wrong in silence"], lines)
 
 
+def calibrated() -> Figure:
+    """How often intervals of the command contain the truth, of what both fits estimate."""
+    figure, axes = panels(2)
+    for axis, fit in zip(axes, FITS, strict=True):
+        rows = _fits_of(fit)
+        errors = {name: pulls(rows, name) for name in FREE}
+        calibration(axis, errors, len(rows), f"*χ* {fit}")
+    return figure
+
+
 STUDY = Study(
     name="measured-data",
     texts={
@@ -257,6 +273,6 @@ STUDY = Study(
         "resistance": of_resistance,
         "held": of_held_resistance,
     },
-    pictures={},
+    pictures={"calibration": calibrated},
 )
 """What may be believed of measured data."""

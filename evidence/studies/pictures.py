@@ -6,15 +6,21 @@ They have the title and the description that their page gives them.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping
 from html.entities import html5
 from pathlib import Path
+from statistics import NormalDist
 from typing import TYPE_CHECKING
 
+import numpy as np
 from littlewood.plot import look
-from littlewood.plot.sheet import svg
+from littlewood.plot.canvas import key, words
+from littlewood.plot.sheet import listed, svg
+from littlewood.style import FINE, INK, LINE
+from littlewood.tables import QUANTITIES
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 SIGNS = {"varphi": "φ", "sqrt": "√", "hat": "", "mathcal": "", "ln": "ln ", "tan": "tan "}
@@ -79,3 +85,49 @@ def formula(tex: str) -> str:
     )
     tex = re.sub(r"([_^])(?:\{(.*?)\}|(.))", small, tex)
     return tex.replace("-", "−").replace("{", "").replace("}", "")
+
+
+def part_within(values: Collection[float], level: float) -> float:
+    """Return the part of errors, in standard errors, that are within the interval of a level."""
+    half = NormalDist().inv_cdf(0.5 + 0.5 * level)
+    return sum(abs(value) < half for value in values) / len(values)
+
+
+def calibration(
+    axis: Axes, errors: Mapping[str, Collection[float]], count: int, heading: str
+) -> None:
+    """Draw how often intervals contain the truth, against how often they say.
+
+    Parameters
+    ----------
+    axis : Axes
+        Where.
+    errors : mapping of str to collection of float
+        Errors over standard errors of each quantity.
+    count : int
+        Number of films or tracks of the band of chance.
+    heading : str
+        What stands above the key.
+    """
+    levels = np.linspace(0.02, 0.99, 98)
+    for quantity, look_of in listed(list(errors)):
+        parts = [100.0 * part_within(errors[quantity], float(level)) for level in levels]
+        axis.plot(100.0 * levels, parts, **look_of, label=words(axis, QUANTITIES[quantity].sign))
+    spread = 200.0 * np.sqrt(levels * (1.0 - levels) / count)
+    axis.fill_between(
+        100.0 * levels,
+        100.0 * levels - spread,
+        100.0 * levels + spread,
+        color=LINE,
+        alpha=0.6,
+        lw=0,
+        label="±2*σ*",
+    )
+    axis.plot([0, 100], [0, 100], color=INK, lw=FINE, label="as they say")
+    axis.set(
+        xlim=(0, 100),
+        ylim=(0, 100),
+        xlabel="level of the interval, %",
+        ylabel="contain the truth, %",
+    )
+    key(axis, heading, columns=3)

@@ -7,14 +7,10 @@ from __future__ import annotations
 
 import csv
 import math
-from statistics import NormalDist
 from typing import TYPE_CHECKING
 
 import numpy as np
-from littlewood.plot.canvas import key, words
-from littlewood.plot.sheet import listed, panels
-from littlewood.style import FINE, INK, LINE
-from littlewood.tables import QUANTITIES
+from littlewood.plot.sheet import panels
 
 from .film.command import ALL
 from .film.hard import HARD
@@ -22,6 +18,7 @@ from .film.resistance import resistance_rows
 from .film.throws import FREE
 from .film.videos import film_of, fitted, track_of
 from .page import table
+from .pictures import calibration, part_within
 from .study import PAGES, Study
 
 if TYPE_CHECKING:
@@ -41,12 +38,6 @@ def pulls(rows: list[dict[str, float]], name: str) -> list[float]:
     """Return errors over standard errors, of the films that tell a coefficient."""
     told = [row for row in rows if math.isfinite(row[f"{name}_error"])]
     return [(row[f"{name}_value"] - row[f"{name}_true"]) / row[f"{name}_error"] for row in told]
-
-
-def part_within(values: list[float], level: float) -> float:
-    """Return the part of errors that are within the interval of a level."""
-    half = NormalDist().inv_cdf(0.5 + 0.5 * level)
-    return sum(abs(value) < half for value in values) / len(values)
 
 
 def coverage() -> list[str]:
@@ -116,33 +107,11 @@ def of_fits() -> str:
     return f"{parts[0]}, and without the constants of the camera {parts[1]}"
 
 
-def calibration() -> Figure:
-    """How often intervals contain the truth, against how often they say."""
+def calibrated() -> Figure:
+    """How often intervals of the videos contain the truth."""
     figure, (axis,) = panels(1)
-    levels = np.linspace(0.02, 0.99, 98)
     rows = rows_of("videos")
-    for quantity, look in listed(list(NAMES)):
-        values = pulls(rows, quantity)
-        parts = [100.0 * part_within(values, float(level)) for level in levels]
-        axis.plot(100.0 * levels, parts, **look, label=words(axis, QUANTITIES[quantity].sign))
-    spread = 200.0 * np.sqrt(levels * (1.0 - levels) / len(rows))
-    axis.fill_between(
-        100.0 * levels,
-        100.0 * levels - spread,
-        100.0 * levels + spread,
-        color=LINE,
-        alpha=0.6,
-        lw=0,
-        label="±2*σ*",
-    )
-    axis.plot([0, 100], [0, 100], color=INK, lw=FINE, label="as they say")
-    axis.set(
-        xlim=(0, 100),
-        ylim=(0, 100),
-        xlabel="level of the interval, %",
-        ylabel="contain the truth, %",
-    )
-    key(axis, "through the video", columns=3)
+    calibration(axis, {name: pulls(rows, name) for name in NAMES}, len(rows), "through the video")
     return figure
 
 
@@ -263,5 +232,5 @@ STUDY = Study(
         "held": held_doubted,
         "sequences of videos": sequences,
     },
-    pictures={"calibration": calibration},
+    pictures={"calibration": calibrated},
 )

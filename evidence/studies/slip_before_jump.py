@@ -437,6 +437,7 @@ STUDY = Study(
     name="slip-before-jump",
     texts={
         "attack": lambda: said("slip-before-jump", "leaves"),
+        "attack climb": lambda: said("slip-before-jump", "climb"),
         "critical": critical,
         "slips": slips,
         "best": best_numbers,

@@ -8,13 +8,20 @@ from __future__ import annotations
 import math
 import warnings
 from functools import cache
+from typing import TYPE_CHECKING
 
 import littlewood as lw
 import numpy as np
+from littlewood.plot.canvas import key
+from littlewood.plot.sheet import listed, panels
+from littlewood.style import FINE, INK
 from scipy.optimize import brentq
 
 from .page import table
 from .study import Study
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 RADIUS_MM = 300.0
 MM_PER_PX = 3000.0 / 1920.0
@@ -160,6 +167,25 @@ def instant() -> str:
     return f"{1e3 * error:.2g}"
 
 
+def picture() -> Figure:
+    """The gap after the lift-off, and the flights of the throw."""
+    figure, (left, right) = panels(2)
+    gaps_mm = np.geomspace(0.002, 20.0, 60)
+    left.loglog([1e3 * seconds_until(float(one)) for one in gaps_mm], gaps_mm, color=INK)
+    left.set(xlabel="time after the lift-off, ms", ylabel="gap, mm")
+    impacts = [one.time for one in motion().transitions if one.impact is not None]
+    time = np.linspace(lift_off(), impacts[5], 8001)
+    gap_mm = np.maximum(motion()(time).gap, 0.0) * RADIUS_MM
+    right.semilogy((time - lift_off()) * UNITS.time_s, gap_mm, color=INK)
+    right.set(xlabel="time after the lift-off, s", ylabel="gap, mm", ylim=(0.02, 300.0))
+    sizes = {"a pixel": MM_PER_PX, "a tenth of a pixel": 0.1 * MM_PER_PX}
+    for axis in (left, right):
+        for (name, size), look in listed(list(sizes.items())):
+            axis.axhline(size, **{**look, "linewidth": FINE}, label=name)
+        key(axis)
+    return figure
+
+
 def result() -> str:
     """How late a gap of a pixel is seen, ms."""
     return f"{1e3 * seconds_until(MM_PER_PX):.0f}"
@@ -206,5 +232,5 @@ STUDY = Study(
         "blur": blur,
         "shutter": shutter,
     },
-    pictures={},
+    pictures={"gaps": picture},
 )
