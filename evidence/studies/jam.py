@@ -467,25 +467,17 @@ def zone(body: Body, mu: float) -> float:
     return float(x[0] + (x[1] - x[0]) * y[0] / (y[0] - y[1]))
 
 
-def comsol() -> list[str]:
-    """Numbers of the published example."""
+def comsol() -> str:
+    """Angles of the published example."""
     body = Body.rim(COMSOL)
     theta = body.angle(1.0)
-    rows = [
-        ["P = 0 somewhere from", f"μ = {body.painleve:.5f}"],
-        ["slides can jam from", f"μ = {body.lower:.5f}"],
-        ["slides can jam to", f"μ = {body.upper:.5f}"],
-        [
-            "with μ = 1: P < 0 between",
-            f"{lower_angle(body, 1.0) / DEGREE:.4f}° and {theta / DEGREE:.4f}°",
-        ],
-        ["λ at the upper end", f"{body.exponent(math.cos(theta)):.5f}"],
-        [
-            "slides that jam begin between",
-            f"{theta / DEGREE:.3f}° and {(theta + zone(body, 1.0)) / DEGREE:.3f}°",
-        ],
-    ]
-    return table(["γ = 3/4", ""], rows)
+    first, last = lower_angle(body, 1.0) / DEGREE, theta / DEGREE
+    return (
+        f"P < 0 between {first:.4f}° and {last:.4f}°, λ is "
+        f"{body.exponent(math.cos(theta)):.5f} at the latter, and "
+        f"slides that jam begin between {last:.3f}° and "
+        f"{(theta + zone(body, 1.0)) / DEGREE:.3f}°"
+    )
 
 
 def comsol_zone() -> str:
