@@ -39,9 +39,9 @@ def test_gaps_are_those_of_free_fall():
         assert gap * RADIUS_MM == pytest.approx(gap_mm, rel=1e-6)
 
 
-def test_standard_errors_are_proportional_to_errors_of_places():
-    # From half a pixel on samples of the likelihood widen some.
-    small, large = ideal(120.0, 0.02), ideal(120.0, 0.2)
+def test_standard_errors_are_proportional_to_small_errors_of_places():
+    # From a tenth of a pixel on the likelihood is no parabola, and samples of it tell some errors.
+    small, large = ideal(120.0, 0.005), ideal(120.0, 0.05)
     for name in ("mu_s", "mu_k", "inertia", "restitution"):
         ratio = large.estimates[name].std_error / small.estimates[name].std_error
         assert ratio == pytest.approx(10.0, rel=0.02)
