@@ -392,7 +392,7 @@ class Hoop:
         ----------
         of : str
             A quantity of the hoop or of the start, such as `mu_s`, `slope` or `theta_rate`.
-        between : (float, float), optional
+        between : tuple of float, optional
             Search from the first number on to the second. Without it the search goes from the value
             of the motion to both sides, over the usual range of the quantity.
         theta, theta_rate, slip, gap_rate : float

@@ -279,6 +279,7 @@ fn fit(axis: &mut PlotAxis, extent: Extent) {
         (1..=extent.most())
             .rev()
             .map(|count| choices(&given, count))
+            .filter(|ticks| !ticks.is_empty())
     };
     let fits = |ticks: &Vec<Tick>| extent.fit(&given, ticks);
     let short = counts().find(|ticks| fits(ticks) && extent.are_short(&given, ticks));

@@ -34,6 +34,9 @@ _MOST_FRICTION = 1.5
 # How many phases the sentence names.
 _NAMED = 8
 _GRID = (161, 101)
+# How long motions of the map are followed where rolling resistance is small: they roll to and fro
+# thousands of times, and jump early or not at all. √(R/g).
+_FOLLOWED = 30.0
 # Doubts that are there with their words; of more, the names.
 _DOUBTS = 6
 # Heights of the picture of the track, and of a doubt, inches.
@@ -286,12 +289,14 @@ def _of_friction(result: FitResult) -> str:
     marked = ([hoop.mu_k] if knows_kinetic else []) + ([hoop.mu_s] if knows_static else [])
     most = max(_MOST_FRICTION, *(1.2 * value for value in marked))
     rates = abs(start.theta_rate) + 2.0
+    until = _FOLLOWED if hoop.rolling_resistance > 0.0 else None
     found = outcome_map(
         hoop,
         mu=np.linspace(0.0, most, _GRID[0]),
         theta_rate=np.linspace(-rates, rates, _GRID[1]),
         theta=start.theta,
         slip=start.slip,
+        until=until,
         max_transitions=200,
     )
     figure = canvas.sheet(0.5 * _WIDTH, 1.6)
@@ -312,8 +317,9 @@ def _of_friction(result: FitResult) -> str:
                 "alpha": 0.8,
             },
         )
+    followed = "" if until is None else f'<p class="small">Followed to τ = {until:.0f}.</p>\n'
     return (
-        "<div>\n<h2>What your hoop would do with more friction</h2>\n"
+        f"<div>\n<h2>What your hoop would do with more friction</h2>\n{followed}"
         '<img alt="outcomes by friction and rate of the start" '
         f'src="{_svg(figure, "Outcomes with more friction")}">\n</div>'
     )
