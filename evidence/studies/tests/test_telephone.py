@@ -40,7 +40,7 @@ def test_gaps_are_those_of_free_fall():
 
 
 def test_standard_errors_are_proportional_to_errors_of_places():
-    # Samples of the likelihood tell μk: a hundred tell its error to 1/√200, of which three.
+    # Samples of the likelihood tell μk: a hundred tell its error to a part of 1/√200; here three.
     small, large = ideal(120.0, 0.02), ideal(120.0, 0.2)
     sampled = 3.0 / math.sqrt(200.0)
     for name, bound in {
