@@ -117,9 +117,9 @@ impl OutcomeMap {
         }
     }
 
-    /// What becomes of the starts of rows `from..to`, and when: of each its class, and the times of
-    /// its first slip, of its lift-off and of its end. NaN where there is none. The end is the first
-    /// landing, or the start of what lasts for ever.
+    /// Four numbers for each start of the rows `from..to`: the code of its class, and the times of
+    /// the first slip, of the lift-off and of the end, NaN for an event that does not happen. The end
+    /// is the first landing, or the start of a phase that lasts for ever.
     pub fn events(&self, from: usize, to: usize) -> Vec<f64> {
         let rows = from..to.min(self.side);
         rows.flat_map(|y| (0..self.side).flat_map(move |x| self.events_at(x, y)))

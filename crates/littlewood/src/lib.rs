@@ -213,7 +213,7 @@ pub mod energy {
 }
 
 pub mod thresholds {
-    //! Where a quantity changes what becomes of a motion, to the last digit.
+    //! The value of a quantity at which the outcome of a motion changes, to the last digit.
 
     pub use crate::motion::threshold::{ClassAt, SearchRange, Searched, Threshold};
 }

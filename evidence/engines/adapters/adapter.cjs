@@ -65,7 +65,7 @@ function main(prepare) {
   const [file, text, setting, out] = process.argv.slice(2);
   const hoop = read(file);
   if (hoop.rolling_resistance !== 0) {
-    refuse(`the engine has no rolling friction, the case chi = ${hoop.rolling_resistance}`);
+    refuse(`the adapter sets up no rolling friction, the case chi = ${hoop.rolling_resistance}`);
   }
   const step = Number(text) * hoop.second;
   const { advance, row } = prepare(hoop, step, setting);

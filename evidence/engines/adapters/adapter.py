@@ -196,7 +196,7 @@ def main(simulate, gradient=None, has_rolling_friction=False, has_units=True):
     if case.gradient and gradient is None:
         refuse("the adapter has no derivatives")
     if case.rolling_resistance != 0.0 and not has_rolling_friction:
-        refuse(f"the engine has no rolling friction, the case chi = {case.rolling_resistance}")
+        refuse(f"the adapter sets up no rolling friction, the case chi = {case.rolling_resistance}")
     rows = gradient(case, step, setting) if case.gradient else simulate(case, step, setting)
     kept = [next(rows)]
     start = time.process_time()

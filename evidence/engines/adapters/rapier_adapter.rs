@@ -98,7 +98,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let resistance = case.get("rolling_resistance")?;
     if resistance != 0.0 {
-        eprintln!("the engine has no rolling friction, the case chi = {resistance}");
+        eprintln!("the adapter sets up no rolling friction, the case chi = {resistance}");
         std::process::exit(REFUSED);
     }
     let (radius, mass, second) = case.units()?;

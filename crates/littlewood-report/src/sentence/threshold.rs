@@ -1,4 +1,4 @@
-//! Where a quantity changes what becomes of a motion, in words.
+//! The value of a quantity at which the outcome of a motion changes, in words.
 
 use littlewood::tables::{Number, Quantity};
 use littlewood::thresholds::{Searched, Threshold};
