@@ -42,7 +42,7 @@ struct Work {
     limits: fn() -> Limits,
 }
 
-const WORKS: [Work; 15] = [
+const WORKS: [Work; 18] = [
     Work {
         name: "figure-3",
         method: Method::Prepared,
@@ -118,11 +118,35 @@ const WORKS: [Work; 15] = [
         limits: Limits::default,
     },
     Work {
+        name: "little-friction-map",
+        method: Method::Prepared,
+        hoop: || Hoop::equal_masses(1e-3, 1e-3),
+        starts: || cells(30).map(|start| start.with_slip(1.0)).collect(),
+        limits: || Limits::until(50.0),
+    },
+    Work {
         name: "no-friction",
         method: Method::Prepared,
         hoop: || Hoop::equal_masses(0.0, 0.0),
         starts: || plane(16),
         limits: Limits::default,
+    },
+    Work {
+        name: "no-friction-map",
+        method: Method::Prepared,
+        hoop: || Hoop::equal_masses(0.0, 0.0),
+        starts: || cells(30).collect(),
+        limits: || Limits::until(50.0),
+    },
+    Work {
+        name: "fast-map",
+        method: Method::Prepared,
+        hoop: figure_2,
+        starts: || {
+            let fast = |start: Start| Start::at(start.theta, 25.0 * start.theta_rate);
+            cells(60).map(fast).collect()
+        },
+        limits: || Limits::until(50.0),
     },
     Work {
         name: "gentle-slope",
@@ -179,6 +203,14 @@ fn plane(side: u32) -> Vec<Start> {
     (0..side * side)
         .map(|k| Start::at(along(k % side, PI), along(k / side, 4.0)))
         .collect()
+}
+
+/// The middles of the cells of such a square: at ±π some motions are special, and in a larger map
+/// few.
+fn cells(side: u32) -> impl Iterator<Item = Start> {
+    let part = 1.0 - 1.0 / f64::from(side);
+    let inside = move |start: Start| Start::at(part * start.theta, part * start.theta_rate);
+    plane(side).into_iter().map(inside)
 }
 
 impl Work {

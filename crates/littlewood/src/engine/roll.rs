@@ -155,6 +155,11 @@ pub(super) struct OrbitRange {
 }
 
 impl OrbitRange {
+    pub(super) const ALL: Self = Self {
+        min: f64::NEG_INFINITY,
+        max: f64::INFINITY,
+    };
+
     /// The constants above `min` for which all numbers are positive, narrowed by their rounding.
     pub(super) fn of_positive(min: f64, numbers: impl IntoIterator<Item = LinearNumber>) -> Self {
         let mut range = Self {
@@ -271,11 +276,7 @@ impl MarginTables {
     fn hold(&self, margins: &Margins, orbit_level: f64) -> bool {
         let holding = self.holding.get_or_init(|| {
             let ranges = (0..OCTANTS).map(|number| self.get(margins, number).holding);
-            let all = OrbitRange {
-                min: 0.0,
-                max: f64::INFINITY,
-            };
-            ranges.fold(all, OrbitRange::intersection)
+            ranges.fold(OrbitRange::ALL, OrbitRange::intersection)
         });
         holding.contains(orbit_level)
     }

@@ -20,6 +20,8 @@ use core::f64::consts::TAU;
 
 use crate::math::trig::Angle;
 
+use super::fallback::Fallback;
+
 pub(super) use order::{SingleFall, SlideStrip, StripSide};
 pub(super) use rolling::{ResistedRollEnd, RollStart, RollStop, RollTables};
 pub(super) use segment::{SIGN_TOLERANCE, SlidePoint, slip_scale};
@@ -48,6 +50,27 @@ pub(super) enum SlideEnd {
     Cut(SlideEvent),
     /// Never: a whole period in which η′ does not fall has passed without an event.
     Never,
+}
+
+/// Why a motion is followed no further: it ends, or is left to the simulation.
+enum Stop<E> {
+    End(E),
+    Left(Fallback),
+}
+
+impl<E> From<Fallback> for Stop<E> {
+    fn from(reason: Fallback) -> Self {
+        Self::Left(reason)
+    }
+}
+
+impl<E> Stop<E> {
+    fn into_result(self) -> Result<E, Fallback> {
+        match self {
+            Self::End(end) => Ok(end),
+            Self::Left(reason) => Err(reason),
+        }
+    }
 }
 
 impl SlideEvent {

@@ -2,12 +2,13 @@
 //! (docs/theory/rolling-resistance.md). It ends at θ′ = 0, or where static friction gives way.
 
 use crate::engine::fallback::Fallback;
-use crate::engine::roll::{LinearNumber, MARGIN_TOLERANCE, MIN_RATE, OrbitRange, RoundedNumber};
+use crate::engine::roll::{MARGIN_TOLERANCE, MIN_RATE, OrbitRange, RoundedNumber};
 use crate::math::series::product;
 use crate::math::trig::{Angle, above_bottom};
 use crate::mechanics::ResistedRollingLaw;
 use crate::model::{Heavy, Hoop, SlipDirection};
 
+use super::Stop;
 use super::regular::{RegularSegment, Span};
 use super::segment::{SlideSegment, TimedCoordinate, ValueAt, falling_zero};
 use super::series::{
@@ -257,18 +258,12 @@ impl RollTable {
             .each_ref()
             .map(|form| solutions.on_table(form));
         let scale = polynomials.scale;
-        let number = |part: &TruncatedPolynomial, k: usize| RoundedNumber {
-            value: part.low[k] - part.remainder,
-            scale,
-        };
-        let numbers = margins.iter().flat_map(|[a, b]| {
-            (0..a.low.len()).map(move |k| LinearNumber {
-                a: number(a, k),
-                b: number(b, k),
-            })
-        });
+        let holding = margins
+            .iter()
+            .map(|[a, b]| TruncatedPolynomial::positive(a, b, 1.0, scale))
+            .fold(OrbitRange::ALL, OrbitRange::intersection);
         Some(Self {
-            holding: OrbitRange::of_positive(0.0, numbers),
+            holding,
             solutions,
             margins,
             scale,
@@ -276,6 +271,9 @@ impl RollTable {
     }
 
     fn signs(&self, u_centre: f64) -> MarginPatterns {
+        if self.holding.contains(u_centre) {
+            return MarginPatterns([SignPattern::Positive; 2]);
+        }
         let rounding = MARGIN_TOLERANCE * self.scale * (1.0 + u_centre.abs());
         MarginPatterns(self.margins.each_ref().map(|[a, b]| {
             let sum = TruncatedPolynomial::of(a, b, u_centre);
@@ -397,8 +395,8 @@ impl RollTables {
         }
         while roll.segments < MAX_SEGMENTS {
             roll.segments += 1;
-            if let Some(end) = roll.advance()? {
-                return Ok(end);
+            if let Err(stop) = roll.advance() {
+                return stop.into_result();
             }
         }
         Err(Fallback::TooLong)
@@ -450,7 +448,8 @@ struct Crossing<'a> {
     u_centre: f64,
 }
 
-type Advance = Result<Option<ResistedRollEnd>, Fallback>;
+/// Whether it goes on.
+type Advance = Result<(), Stop<ResistedRollEnd>>;
 
 impl<'a> Roll<'a> {
     fn family(&self) -> &'a RollFamily {
@@ -464,17 +463,15 @@ impl<'a> Roll<'a> {
 
     fn advance(&mut self) -> Advance {
         if self.start.uses_tables {
-            if let Some(end) = self.cross_intervals()? {
-                return Ok(Some(end));
-            }
-            if let Some(end) = self.advance_in_table() {
-                return end;
+            self.cross_intervals()?;
+            if let Some(advance) = self.advance_in_table() {
+                return advance;
             }
         }
         let RollPoint { angle, u, .. } = self.point;
         let expansion = self.family().expansion(angle, u);
         if u == 0.0 && expansion.u[1] <= 0.0 {
-            return Err(Fallback::Standstill);
+            return Err(Fallback::Standstill.into());
         }
         let is_done = self.is_behind_turn && expansion.u[1] > 0.0;
         let turning = if is_done {
@@ -496,7 +493,7 @@ impl<'a> Roll<'a> {
             return self.follow_turning(&place);
         }
         if u < MIN_PART_OF_U * self.max_u {
-            return Err(Fallback::Separatrix);
+            return Err(Fallback::Separatrix.into());
         }
         let segment = RegularSegment::new(&expansion, angle, false)?;
         self.follow_regular(&segment, 0.0, None)
@@ -550,14 +547,11 @@ impl<'a> Roll<'a> {
                     break;
                 }
                 let segment = solutions.whole(u_centre, time, patterns, None);
-                let end = self.follow_regular(&segment, -solutions.end, Some(edge))?;
-                if end.is_some() {
-                    return Ok(end);
-                }
+                self.follow_regular(&segment, -solutions.end, Some(edge))?;
             }
             self.segments += 1;
         }
-        Ok(None)
+        Ok(())
     }
 
     /// Follows a segment of a table. None where no table has one.
@@ -632,7 +626,7 @@ impl<'a> Roll<'a> {
             if reached.stop.is_none() {
                 let angle = reached.point.angle;
                 if !self.family().holds(angle, 0.0) {
-                    return Err(Fallback::FrictionLimit);
+                    return Err(Fallback::FrictionLimit.into());
                 }
                 let law = &self.family().law;
                 reached.stop = Some(RollStop::Turn {
@@ -651,9 +645,9 @@ impl<'a> Roll<'a> {
         };
         let reached = self.reach(segment, way)?;
         self.theta += -past - segment.delta_theta(reached.z);
-        let end = self.arrive(reached, None)?;
+        self.arrive(reached, None)?;
         self.is_behind_turn = true;
-        Ok(end)
+        Ok(())
     }
 
     /// How far a segment leads: to its end, to the first slip, or to the limit of time.
@@ -720,16 +714,16 @@ impl<'a> Roll<'a> {
         (self.point, self.edge, self.is_behind_turn) = (point, edge, false);
         self.max_u = self.max_u.max(point.u);
         let Some(stop) = reached.stop else {
-            return Ok(None);
+            return Ok(());
         };
         let theta_rate = match stop {
             RollStop::Turn { .. } => 0.0,
             RollStop::Slip(_) | RollStop::Cut => point.u.max(0.0).sqrt(),
         };
         if matches!(stop, RollStop::Slip(_)) && theta_rate < MIN_RATE {
-            return Err(Fallback::Standstill);
+            return Err(Fallback::Standstill.into());
         }
-        Ok(Some(ResistedRollEnd {
+        Err(Stop::End(ResistedRollEnd {
             stop,
             elapsed: point.elapsed,
             theta: self.theta,

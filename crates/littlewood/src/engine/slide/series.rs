@@ -5,6 +5,7 @@
 //! has polynomial coefficients: each coefficient of u follows from the six before it. The series
 //! converges up to the nearest zero of P, or to z = ± i.
 
+use crate::engine::roll::{LinearNumber, OrbitRange, RoundedNumber};
 use crate::math::series::product;
 use crate::math::trig::Angle;
 use crate::mechanics::SlidingLaw;
@@ -109,7 +110,7 @@ pub(super) enum SignPattern {
 }
 
 /// The signs of σ η″ on an interval.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct SlipSigns {
     pub(super) pattern: SignPattern,
     /// Largest |η″| where its sign is not known, about a change of sign.
@@ -462,6 +463,20 @@ impl TruncatedPolynomial {
         }
     }
 
+    /// The u > 0 for which a + u b with Bernstein coefficients, times `sign`, is certainly positive;
+    /// `scale` is the size of the terms.
+    pub(super) fn positive(a: &Self, b: &Self, sign: f64, scale: f64) -> OrbitRange {
+        let least = |part: &Self| {
+            let remainder = part.remainder;
+            part.low.map(|c| RoundedNumber {
+                value: sign * c - remainder,
+                scale,
+            })
+        };
+        let numbers = least(a).into_iter().zip(least(b));
+        OrbitRange::of_positive(0.0, numbers.map(|(a, b)| LinearNumber { a, b }))
+    }
+
     /// The signs of a function with these Bernstein coefficients.
     pub(super) fn pattern(&self) -> SignPattern {
         sign_pattern(&self.low, self.remainder)
@@ -474,6 +489,12 @@ impl TruncatedPolynomial {
             pattern: self.pattern(),
             sign_uncertainty: sign_uncertainty(self.remainder, min_p),
         }
+    }
+
+    /// The largest coefficient, with what is left out.
+    pub(super) fn size(&self) -> f64 {
+        let largest = self.low.iter().fold(0.0, |max: f64, c| max.max(c.abs()));
+        largest + self.remainder
     }
 }
 

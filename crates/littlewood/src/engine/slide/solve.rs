@@ -19,7 +19,7 @@ use super::table::{
     AngleInterval, Crossing, Edge, HALVINGS, INTERVALS, SlideTables, coarsest, edge_angle_near,
 };
 use super::turning::{TurningSegment, turning_near};
-use super::{SlideEnd, SlideEvent};
+use super::{SlideEnd, SlideEvent, Stop};
 
 /// Most segments: a slide over more than some 16 turns is left to the exact solver, which sums
 /// whole turns.
@@ -147,6 +147,13 @@ struct PeriodStart {
     segment: usize,
 }
 
+impl PeriodStart {
+    /// Up to which segment the slide may come back: where the first began it may never be again.
+    const fn last_segment(&self) -> usize {
+        2 * self.segment + INTERVALS
+    }
+}
+
 /// A period of a slide.
 struct Period {
     duration: f64,
@@ -181,8 +188,8 @@ struct Slide<'a> {
     tables: Option<&'a SlideTables>,
 }
 
-/// The end of a slide; none while it continues.
-type Advance = Result<Option<SlideEnd>, Fallback>;
+/// Whether a slide goes on.
+type Advance = Result<(), Stop<SlideEnd>>;
 
 /// Follows a slide to its event, or to the time limit.
 pub(in crate::engine) fn solve_slide(problem: SlideProblem<'_>) -> Result<SlideEnd, Fallback> {
@@ -205,33 +212,36 @@ pub(in crate::engine) fn solve_slide(problem: SlideProblem<'_>) -> Result<SlideE
         time_left,
         tables,
     };
-    if from_limit {
-        // At η′ = η″ = 0 a table cannot tell whether η′ rises; a series about this point can, since
-        // the factor z of η″ divides out.
-        let expansion = Expansion::new(frame.law(), frame.sigma, start.angle, start.u);
-        if let Some(end) = slide.advance_by_series(&expansion, true)? {
-            return Ok(end);
-        }
+    match slide.follow(from_limit) {
+        Ok(()) => Err(Fallback::TooLong),
+        Err(stop) => stop.into_result(),
     }
-    while slide.segments < MAX_SEGMENTS {
-        slide.segments += 1;
-        if let Some(end) = slide.advance()? {
-            return Ok(end);
-        }
-    }
-    Err(Fallback::TooLong)
 }
 
 impl<'a> Slide<'a> {
+    /// Follows as many segments as it may.
+    fn follow(&mut self, from_limit: bool) -> Advance {
+        if from_limit {
+            // At η′ = η″ = 0 a table cannot tell whether η′ rises; a series about this point can,
+            // since the factor z of η″ divides out.
+            let Self { frame, point, .. } = self;
+            let expansion = Expansion::new(frame.law(), frame.sigma, point.angle, point.u);
+            self.advance_by_series(&expansion, true)?;
+        }
+        while self.segments < MAX_SEGMENTS {
+            self.segments += 1;
+            self.advance()?;
+        }
+        Ok(())
+    }
+
     /// Follows the next segment: by tables where there are any, about a turning point next to one,
     /// and by a new series elsewhere.
     fn advance(&mut self) -> Advance {
         if let Some(tables) = self.tables {
-            if let Some(end) = self.skip_intervals(tables)? {
-                return Ok(Some(end));
-            }
-            if let Some(end) = self.advance_in_table(tables) {
-                return end;
+            self.skip_intervals(tables)?;
+            if let Some(advance) = self.advance_in_table(tables) {
+                return advance;
             }
         }
         let Self { frame, point, .. } = *self;
@@ -282,11 +292,12 @@ impl<'a> Slide<'a> {
     /// one Gauss sum gives the time, and the momentum integral the slip.
     fn skip_intervals(&mut self, tables: &'a SlideTables) -> Advance {
         let frame = self.frame;
+        let law = frame.law();
         let mut min_halvings = 0;
         while let Some(index) = self.edge
             && self.segments < MAX_SEGMENTS
             && let Some(crossing) = tables.crossing(
-                frame.law(),
+                law,
                 frame.sigma,
                 Edge {
                     index,
@@ -304,14 +315,14 @@ impl<'a> Slide<'a> {
             // Where an interval was too wide for this slide the next one probably is, too.
             min_halvings = interval.halvings.saturating_sub(1);
             let time = table.solutions.time(u_centre);
-            let exit = exit_point(&frame, &crossing, self.point.elapsed + time);
+            let exit = exit_point(&frame, law, &crossing, self.point.elapsed + time);
             let next = Some(interval.exit());
             let signs = table.signs(u_centre);
-            let min_slip = self.min_slip_without_event(&crossing, signs, time, &exit);
-            let end = if let Some(min_slip) = min_slip {
+            let min_slip = self.min_slip_without_event(law, &crossing, signs, time, &exit);
+            if let Some(min_slip) = min_slip {
                 self.frame.theta += interval.width();
                 (self.edge, self.point) = (next, exit);
-                self.skip_if_periodic(min_slip, true)?
+                self.skip_if_periodic(min_slip, true)?;
             } else if signs.pattern == SignPattern::Unknown {
                 break;
             } else {
@@ -321,26 +332,25 @@ impl<'a> Slide<'a> {
                     ..self.point
                 };
                 let segment = table.whole_interval(u_centre, time, signs);
-                self.follow_regular(&start, &segment, next)?
-            };
-            if end.is_some() {
-                return Ok(end);
+                self.follow_regular(&start, &segment, next)?;
             }
             self.segments += 1;
         }
-        Ok(None)
+        Ok(())
     }
 
     /// A lower bound of η′ on an interval without an event; none where there may be one.
+    #[inline(always)]
     fn min_slip_without_event(
         &self,
+        law: &SlidingLaw,
         crossing: &Crossing<'_>,
         signs: SlipSigns,
         time: f64,
         exit: &SlidePoint,
     ) -> Option<f64> {
         let Self { frame, point, .. } = self;
-        let h = frame.law().body.h;
+        let h = law.body.h;
         // w can cross zero only before the top, which is an edge: its sign at the exit decides.
         let stays = contact(1.0, h, exit.angle.cos * exit.u) > SIGN_TOLERANCE * (1.0 + h * exit.u);
         let slips = |slip: f64, u: f64| slip > SIGN_TOLERANCE * slip_scale(u, frame.integral);
@@ -405,9 +415,7 @@ impl<'a> Slide<'a> {
             return self.skip_if_periodic(result.min_slip, edge.is_some());
         }
         self.frame.theta += delta_theta();
-        Ok(Some(
-            self.end(&result, segment.theta_rate(point.z, point.u)),
-        ))
+        self.end(&result, segment.theta_rate(point.z, point.u))
     }
 
     /// Follows a segment about a turning point.
@@ -425,7 +433,7 @@ impl<'a> Slide<'a> {
         // Behind its linear term u changes by less than half over the segment: w ≥ 1 − h u.
         let stays = 2.0 * frame.law().body.h * segment.u(1.0) < 1.0;
         if passes_top && !stays {
-            return Err(Fallback::TurningPoint);
+            return Err(Fallback::TurningPoint.into());
         }
         let context = frame.context(segment);
         let found = if frame.law().resistance == 0.0 {
@@ -451,9 +459,7 @@ impl<'a> Slide<'a> {
             };
             return self.skip_if_periodic(result.min_slip, true);
         }
-        Ok(Some(
-            self.end(&result, segment.theta_rate(point.z, point.u)),
-        ))
+        self.end(&result, segment.theta_rate(point.z, point.u))
     }
 
     /// A result, cut at the time limit.
@@ -481,7 +487,7 @@ impl<'a> Slide<'a> {
         }
     }
 
-    fn end(&self, result: &SegmentResult, theta_rate: f64) -> SlideEnd {
+    fn end(&self, result: &SegmentResult, theta_rate: f64) -> Advance {
         let SegmentResult { end, point, .. } = result;
         let event = SlideEvent {
             elapsed: point.elapsed,
@@ -497,11 +503,11 @@ impl<'a> Slide<'a> {
             turning_points: self.turning_points,
         };
         let event = event.mirrored_by(self.frame.mirror);
-        match end {
+        Err(Stop::End(match end {
             SegmentEnd::Cut => SlideEnd::Cut(event),
             SegmentEnd::Turn => SlideEnd::Turn(event),
             SegmentEnd::Open | SegmentEnd::Rest | SegmentEnd::LiftOff => SlideEnd::Event(event),
-        }
+        }))
     }
 
     /// Skips whole periods behind a segment on which η′ was at least `min_slip`; `comes_back` if it
@@ -510,27 +516,31 @@ impl<'a> Slide<'a> {
     /// In libration (friction retraces u), or without friction, u repeats. At the same angle and
     /// heading one period later only the slip differs, by −drag · T, so that ⌊least slip/loss⌋
     /// periods are free of events. Rotation with friction changes u every turn, and is followed.
+    #[inline(always)]
     fn skip_if_periodic(&mut self, min_slip: f64, comes_back: bool) -> Advance {
         self.min_slip = self.min_slip.min(min_slip);
-        if !comes_back {
-            return Ok(None);
+        // Mostly the edge tells that it is elsewhere, which costs less than the turns.
+        let is_elsewhere = self.period_start.as_ref().is_some_and(|start| {
+            (self.frame.mirror != start.mirror || self.edge != start.edge)
+                && self.segments <= start.last_segment()
+        });
+        if is_elsewhere || !comes_back {
+            return Ok(());
         }
-        let Some(start) = self.period_start else {
-            self.start_period();
-            return Ok(None);
-        };
-        let Some(period) = self.period_since(&start) else {
-            // Where the first segment began the slide may never be again.
-            if self.segments > 2 * start.segment + INTERVALS {
-                self.start_period();
+        self.skip_where_it_comes_back()
+    }
+
+    /// The same where the slide may have come back.
+    fn skip_where_it_comes_back(&mut self) -> Advance {
+        if let Some(start) = self.period_start {
+            if let Some(period) = self.period_since(&start) {
+                self.skip(&period)?;
+            } else if self.segments <= start.last_segment() {
+                return Ok(());
             }
-            return Ok(None);
-        };
-        let end = self.skip(&period)?;
-        if end.is_none() {
-            self.start_period();
         }
-        Ok(end)
+        self.start_period();
+        Ok(())
     }
 
     fn start_period(&mut self) {
@@ -548,7 +558,6 @@ impl<'a> Slide<'a> {
     /// The period that ends here; none if it does not.
     fn period_since(&self, start: &PeriodStart) -> Option<Period> {
         let MotionFrame { mirror, theta, .. } = self.frame;
-        // Mostly the edge tells, which costs less than the turns.
         if mirror != start.mirror || self.edge != start.edge {
             return None;
         }
@@ -578,10 +587,10 @@ impl<'a> Slide<'a> {
         if loss <= 0.0 && (!is_rotation || is_conservative) {
             // η′ is no less after each period: there is no event at all.
             if periods_left == f64::INFINITY {
-                return Ok(Some(SlideEnd::Never));
+                return Err(Stop::End(SlideEnd::Never));
             }
             if periods_left > MAX_PERIODS {
-                return Err(Fallback::TooLong);
+                return Err(Fallback::TooLong.into());
             }
             // The time left must not become negative by rounding.
             let whole = periods_left.floor();
@@ -590,15 +599,15 @@ impl<'a> Slide<'a> {
         } else if is_rotation {
             // With friction turns differ, and one without loss says nothing about the next.
             if periods > MAX_TURNS {
-                return Err(Fallback::TooLong);
+                return Err(Fallback::TooLong.into());
             }
         } else if periods > MAX_PERIODS {
-            return Err(Fallback::TooLong);
+            return Err(Fallback::TooLong.into());
         } else if periods > MIN_PERIODS_TO_SKIP {
             // Rounding might decide in the last ones: they are followed.
             self.skip_periods(periods.floor() - 1.0, period);
         }
-        Ok(None)
+        Ok(())
     }
 
     fn skip_periods(&mut self, periods: f64, period: &Period) {
@@ -614,15 +623,19 @@ impl<'a> Slide<'a> {
 }
 
 /// The point at the end of an interval.
-fn exit_point(frame: &MotionFrame<'_>, crossing: &Crossing<'_>, elapsed: f64) -> SlidePoint {
+fn exit_point(
+    frame: &MotionFrame<'_>,
+    law: &SlidingLaw,
+    crossing: &Crossing<'_>,
+    elapsed: f64,
+) -> SlidePoint {
     let (exit, u) = (crossing.table.exit_coefficients(), crossing.u_exit);
     SlidePoint {
         z: 1.0,
         u,
         elapsed,
         slip: frame.sigma
-            * (frame.integral + u.sqrt() * exit.slip_coefficient
-                - frame.law().mean_slip_loss() * elapsed),
+            * (frame.integral + u.sqrt() * exit.slip_coefficient - law.mean_slip_loss() * elapsed),
         slip_acceleration: frame.sigma * (exit.alpha + exit.beta * u),
         angle: exit.angle,
     }
