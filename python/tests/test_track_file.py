@@ -293,6 +293,34 @@ def test_separators_marks_and_encodings_are_found(tmp_path, encoding, separator,
     assert_rolls(lw.Track.from_csv(tmp_path / "track.csv", units), units, ("theta", "x"), atol=1e-8)
 
 
+NAMES = {
+    "a line of units": "t,Angle,x\n(s),[deg],m\n",
+    "a line of units that the names have": "t (s),theta_deg,x_m\n,,m\n",
+    "units over which it is": "t/s,φ / °,x / m\n",
+    "words of units": "Time [sec],Angle (degrees),X (meters)\n",
+    "German": "Zeit (s),Winkel (°),x (m)\n",
+    "names in a comment": "# film 7\n# time_s,theta_deg,x_m\n",
+}
+
+
+@pytest.mark.parametrize("names", NAMES.values(), ids=NAMES)
+def test_names_and_units_as_people_write_them(tmp_path, units, names):
+    rows = [
+        f"{t:.9f},{math.degrees(a):.9f},{x:.9f}" for t, a, x in zip(TIME_S, THETA, X_M, strict=True)
+    ]
+    # What people write into rows in which the point was not seen, and below the table.
+    for k, mark in enumerate(("", "NaN", "#N/A", "None", "-"), start=3):
+        rows[k] = f"{TIME_S[k]:.9f},{mark},{mark}"
+    path = tmp_path / "own.csv"
+    path.write_text("\ufeff" + names + "\n".join(rows) + "\n# tracked by hand\n", encoding="utf-8")
+    track = lw.Track.from_csv(path, units)
+    assert np.flatnonzero(np.isnan(track.theta)).tolist() == [3, 4, 5, 6, 7]
+    seen = np.isfinite(track.theta)
+    np.testing.assert_allclose(track.time * units.time_s, TIME_S, atol=1e-8)
+    np.testing.assert_allclose(track.theta[seen], THETA[seen], atol=1e-8)
+    np.testing.assert_allclose(track.x[seen] * units.length_m, X_M[seen], atol=1e-8)
+
+
 REFUSED = {
     "a misspelt column": (
         "time_s,tehta_deg\n0,1\n",
@@ -323,7 +351,31 @@ REFUSED = {
     "a long row": ("time_s,x_m\n0,1,5\n", "line 2: has 3 cells"),
     "nothing": ("", "is empty; a table has a line of names"),
     "a line of names alone": ("time_s,x_m\n", "line 1: has no rows"),
-    "numbers alone": ("0,1\n1,2\n", "line 1, column '0': is not a column of a track"),
+    "numbers alone": ("0,1\n1,2\n", "line 1: has no line of names; write one above the numbers"),
+    "a title": (
+        "Hoop 3;;\ntime_s;x_m;y_m\n0;1;2\n",
+        "line 2: has 3 cells, the line of names has 1; the line of names comes first",
+    ),
+    "a time of day": (
+        "time,x_m\n00:10.000,1\n00:10.033,1\n",
+        "line 2, column time: '00:10.000' is not a finite number; each row needs a number",
+    ),
+    "ms without a unit": (
+        "time,theta_deg\n0,1\n16.7,2\n33.3,3\n",
+        'line 1, column theta_deg: .* name the time time_ms, or say time_unit="ms"',
+    ),
+    "a mark for what was not seen": (
+        "time_s,x_m,y_m\n0,0.5,0.3\n0.1,-1,-1\n0.2,0.7,0.3\n",
+        "line 3: has -1 in all columns of the track, .*; leave these cells empty",
+    ),
+    "the origin for what was not seen": (
+        "time_s,theta_deg,y_m\n0,0,0.3\n0.1,0,0\n0.2,7,0.3\n",
+        "line 3: has 0 in all columns of the track",
+    ),
+    "heights that grow downwards": (
+        "time_s,x_m,y_m\n0,0,0.78\n0.1,0.1,0.78\n0.2,0.2,0.7\n0.3,0.3,0.78\n",
+        "line 1, column y_m: has no height in contact, .*; y grows upwards from the floor",
+    ),
     "no channel": ("time_s,vx\n0,1\n", "line 1: has neither an angle nor a position"),
     "an empty channel": (
         "time_s,theta_deg,x_m\n0,,1\n1,,2\n",

@@ -17,12 +17,13 @@ from typing import Any
 
 from .._internal.extras import require
 from ..fitting.fall import Fall, fall_of
-from ..fitting.given import USUAL_ERRORS, checked_errors, usual_in_words
+from ..fitting.given import checked_errors, usual_in_words
 from ..fitting.least_squares import fit
 from ..fitting.problem import OF_HOOP
 from ..fitting.result import FitResult, FitWarning
 from ..fitting.table_options import LENGTH_UNITS, TIME_UNITS, TableOptions, Words
 from ..fitting.track import Track, track_of_table
+from ..fitting.usual_errors import USUAL_ERRORS
 from ..hoop import Hoop
 from ..tables import QUANTITIES, SI_HOOP
 from ..video.plane import Plane

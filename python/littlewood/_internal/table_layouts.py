@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from .text_table import TableFileError, TextTable, lines_of
+from .text_table import MISSING, NUMBER, TableFileError, TextTable, lines_of
 
 __all__ = ["KINOVEA", "PLAIN", "TRACKER", "VERNIER", "read_text_table"]
 
@@ -43,8 +43,8 @@ def read_text_table(path: str | Path) -> TextTable:
     """Read a table: names in its first line, one row a line; refuse a file that is none.
 
     Tabs, semicolons, commas or spaces separate the cells, a point or a comma marks decimals; a
-    byte-order mark, quotes, and the lines that trackers and spreadsheets put before the names are
-    understood.
+    byte-order mark, quotes, comments, a line of units, and the lines that trackers and spreadsheets
+    put before the names are understood.
     """
     file, lines = str(path), lines_of(path)
     first = "".join(f"{line}\n" for line in [one for one in lines if one.strip()][:_FIRST_LINES])
@@ -61,10 +61,26 @@ def _names_then_rows(layout: _Layout, file: str, lines: list[str]) -> TextTable:
         raise TableFileError(
             file, "is empty", hint="a table has a line of names, such as time_s,theta_deg,x_m"
         )
+    if head > 0 and lines[head - 1].startswith("#") and _has_numbers(lines[head]):
+        # As NumPy writes names.
+        head -= 1
+        lines = [*lines[:head], lines[head].lstrip("# "), *lines[head + 1 :]]
     # The line of names decides: numbers may have decimal commas.
     separator = _separator(lines[head])
     names = _without_empty_end(_cells(lines[head], separator))
+    if _has_numbers(lines[head]):
+        raise TableFileError(
+            file,
+            "has no line of names",
+            line=head + 1,
+            hint="write one above the numbers, such as time_s,theta_deg,x_m,y_m",
+        )
     return _with_rows(layout, file, lines, head, names, [""] * len(names), separator)
+
+
+def _has_numbers(line: str) -> bool:
+    """Whether all cells of a line are numbers."""
+    return all(NUMBER.fullmatch(cell) for cell in _cells(line, _separator(line)))
 
 
 def _points_then_names(layout: _Layout, file: str, lines: list[str]) -> TextTable:
@@ -114,20 +130,38 @@ def _with_rows(
 ) -> TextTable:
     """Read the rows below a line of names."""
     split = _exact_cells if layout.name == TRACKER and separator == " " else _cells
-    numbers, rows = [], []
+    numbers: list[int] = []
+    rows: list[list[str]] = []
     for k in range(names_at + 1, len(lines)):
         row = split(lines[k], separator)
-        if not any(row):
+        if not any(row) or lines[k].startswith("#"):
             continue
         if len(row) < len(names) or any(row[len(names) :]):
             reason = f"has {len(row)} cells, the line of names has {len(names)}"
             hint = f"cells are separated by {_SEPARATORS.get(separator, 'spaces')} here"
+            if len(names) == 1:
+                hint = "the line of names comes first: remove what is above it"
             raise TableFileError(file, reason, line=k + 1, hint=hint)
+        if not rows and _is_of_units(row):
+            both = zip(names, row, strict=False)
+            names = [_with_unit(name, unit.strip("()[] ")) for name, unit in both]
+            continue
         numbers.append(k + 1)
         rows.append(row[: len(names)])
     if not rows:
         raise TableFileError(file, "has no rows after its line of names", line=names_at + 1)
     return TextTable(layout.name, file, names_at + 1, names, points, numbers, rows)
+
+
+def _is_of_units(row: list[str]) -> bool:
+    """Whether the first line below the names has their units: words, and no number."""
+    words = [cell for cell in row if cell.lower() not in MISSING]
+    return bool(words) and not any(NUMBER.match(cell) for cell in row)
+
+
+def _with_unit(name: str, unit: str) -> str:
+    """Return a name with the unit below it, unless it has that itself."""
+    return name if not unit or name.lower().endswith(f"_{unit.lower()}") else f"{name} ({unit})"
 
 
 def _head(lines: list[str]) -> int | None:

@@ -8,14 +8,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-__all__ = ["NUMBER", "TableFileError", "TextTable", "lines_of"]
+__all__ = ["MISSING", "NUMBER", "TableFileError", "TextTable", "lines_of"]
 
 NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?")
 # A comma here may mark the decimals, or the thousands.
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}")
 # A million rows of a dozen cells.
 _MOST_BYTES = 1 << 28
-_MISSING = ("", "nan", "na")
+# What programs write where they have no number.
+MISSING = ("", "nan", "na", "n/a", "#n/a", "none", "null", "-", "--")
 # What the first bytes say of files that look like tables to their owners.
 _OTHER_FILES = {
     b"PK": "a spreadsheet or an archive: save the sheet as CSV",
@@ -128,12 +129,14 @@ class TextTable:
             )
         found = []
         for line, cell in zip(self.lines, cells, strict=True):
-            if cell.lower() in _MISSING and not required:
+            if cell.lower() in MISSING and not required:
                 found.append(float("nan"))
             elif NUMBER.fullmatch(cell):
                 found.append(float(cell.replace(",", ".")))
             else:
-                hint = None if required else "leave a cell empty where the point was not seen"
+                hint = "leave a cell empty where the point was not seen"
+                if required:
+                    hint = "each row needs a number, such as s from the first; remove other lines"
                 raise TableFileError(
                     self.path,
                     "is not a finite number",
@@ -196,5 +199,5 @@ def _text(file: str, content: bytes) -> str:
             file,
             f"byte {content[error.start]:#04x} is not UTF-8",
             line=line,
-            hint="save the file as UTF-8",
+            hint="save the file as UTF-8 (Excel: CSV UTF-8)",
         ) from None

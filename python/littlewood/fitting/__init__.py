@@ -5,11 +5,11 @@ Tracks, their errors, estimates of what is not known, and what speaks against th
 
 from .diagnostics import DOUBTS, Doubt
 from .estimate import Estimate
-from .given import USUAL_ERRORS
 from .least_squares import fit
 from .noise import Noise
 from .result import FitResult, FitWarning, IdentifiabilityWarning
 from .track import TableFileError, Track
+from .usual_errors import USUAL_ERRORS
 
 __all__ = [
     "DOUBTS",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import NormalDist
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,10 @@ from .._internal.elementwise import Reals
 from .._internal.extras import require
 from .._internal.terminal import printable
 from .calibration import CALIBRATION, determined
-from .problem import OF_HOOP, ROUGH
+from .estimate import Estimate
+from .noise import Noise
+from .problem import CLOCK, OF_HOOP, ROUGH
+from .usual_errors import USUAL_ERRORS, in_units
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -50,8 +53,13 @@ _LAGS = 12
 _LEAST_ERROR = 1e-6
 # Of what else can be wrong, what explains at least this part of the best is named with it.
 _ALSO = 0.8
-# Steps of a fit that finds what is held.
-_STEPS_OF_FREED = 30
+# Of what is held, so many are named of those that explain the track by the first step.
+_MOST_NAMED = 3
+# Steps of a fit that finds what is held. It begins so many usual errors away, with few steps, and
+# goes on from the best of these: where events hang on each other the sum of squares has many
+# minima.
+_STEPS_OF_FREED, _STEPS_OF_TRY = 30, 12
+_TRIES = (-4.0, -2.0, 0.0, 2.0, 4.0)
 # A cause explains at least this part of what the squares of the residuals have too much.
 _EXPLAINS = 0.4
 _TINY = 1e-300
@@ -106,6 +114,26 @@ def doubts_of_residuals(
     `known` are the channels whose errors were given.
     """
     known = set(known)
+    channels = _channels_of(problem, unknowns, known)
+    held, excess = _all_held(problem, unknowns, channels)
+    waves = [*_structure(channels)]
+    if not robust:
+        waves += _outliers(channels)
+        if waves:
+            held = [_explaining(problem, unknowns, channels, one, known) for one in held]
+        if any(one.freed is not None for one in held):
+            # Beside what explains all nothing is a cause that leaves more than chance would.
+            size = sum(one.residuals.size for one in channels.values())
+            least = excess - _LOUD * math.sqrt(2.0 * size)
+            held = [one for one in held if one.freed is not None or one.score**2 > least]
+    found = [*_contradictions(problem, unknowns, held, excess), *waves]
+    if not robust:
+        found += _misfit(channels, known, unknowns.size)
+    return found
+
+
+def _channels_of(problem: Problem, unknowns: Reals, known: set[str]) -> dict[str, _Channel]:
+    """Return the residuals by channel; the errors of those that are known were given."""
     residuals = problem.seen(problem.residuals(unknowns))
     relative = problem.seen({name: problem.track.relative_errors(name) for name in residuals})
     places = problem.seen(
@@ -121,11 +149,7 @@ def doubts_of_residuals(
             else _from_frame_to_frame(scaled, frames[name])
         )
         channels[name] = _Channel(frames[name], scaled, relative[name], max(sigma, _LEAST_ERROR))
-    held, excess = _all_held(problem, unknowns, channels)
-    found = [*_contradictions(problem, unknowns, held, excess), *_structure(channels)]
-    if not robust:
-        found += [*_outliers(channels), *_misfit(channels, known, unknowns.size)]
-    return found
+    return channels
 
 
 def _from_frame_to_frame(residuals: Reals, frames: npt.NDArray[np.intp]) -> float:
@@ -175,6 +199,9 @@ class _Held:
         By how many the residuals lean along such an error.
     is_separate : bool
         Whether they can be told from what the free parameters do.
+    freed : Estimate or None
+        What a fit finds that frees it, if that explains waves and outliers; `score` is then by how
+        many standard deviations it is better.
     """
 
     name: str
@@ -182,6 +209,7 @@ class _Held:
     shown: float
     score: float
     is_separate: bool
+    freed: Estimate | None = None
 
 
 def _all_held(
@@ -246,13 +274,16 @@ def _contradictions(
     # What explains little of waves in the residuals is not their cause.
     if not found or abs(found[0].score) < max(_LOUD, math.sqrt(max(0.0, _EXPLAINS * excess))):
         return
-    shown = [one for one in found if abs(one.score) >= _ALSO * abs(found[0].score)][:3]
+    near = [one for one in found if abs(one.score) >= _ALSO * abs(found[0].score)]
+    shown = [one for k, one in enumerate(near) if k < _MOST_NAMED or one.freed is not None]
     words = []
     for one in shown:
-        value, error = one.value - one.score / one.shown, 1.0 / one.shown
-        if one.name in problem.holdable:
-            value, error = _freed(problem, unknowns, one.name, value, error)
-        words.append(f"{one.name} {value:.3g} ± {error:.1g} in place of {one.value:.3g}")
+        freed = one.freed
+        if freed is None:
+            freed = Estimate(one.value - one.score / one.shown, 1.0 / one.shown, True)
+            if one.name in problem.holdable:
+                freed = _freed(problem, unknowns, one.name, freed)
+        words.append(_asked(one, freed))
     remedy = ": put it into free" if shown[0].name in OF_HOOP else ""
     yield Doubt(
         "camera" if shown[0].name.startswith(_CAMERA) else "held",
@@ -262,23 +293,62 @@ def _contradictions(
     )
 
 
-def _freed(
-    problem: Problem, unknowns: Reals, name: str, value: float, error: float
-) -> tuple[float, float]:
-    """Return what a fit finds for something held, and its standard error.
+def _asked(one: _Held, freed: Estimate) -> str:
+    """Return what a track asks for in place of what is held."""
+    words = f"{one.name} {freed.value:.3g} ± {freed.std_error:.1g} in place of {one.value:.3g}"
+    if one.name != CLOCK:
+        return words
+    other = "longer" if freed.value > 0.0 else "shorter"
+    return f"{words} (all times {100.0 * abs(freed.value):.2g} % {other})"
 
-    A score is the first step to it, which is far too short where the motion is not linear in it.
+
+def _freed(problem: Problem, unknowns: Reals, name: str, first: Estimate) -> Estimate:
+    """Return what a fit finds for something held.
+
+    A score is the `first` step to it, which is far too short where the motion is not linear in it.
     """
     freed = problem.freed(name)
-    held = float(problem.values(unknowns)[name])
-    begin = problem.moved(unknowns, freed, **{name: held})
+    begin = freed.unknowns_of(problem.values(unknowns))
     found = freed.refine(begin, "linear", ROUGH, _STEPS_OF_FREED)
-    normal = found.jac.T @ found.jac
-    place = freed.names.index(name)
-    variance = float(np.linalg.pinv(normal)[place, place])
-    if not variance > 0.0 or not found.cost < problem.cost(unknowns):
-        return value, error
-    return float(found.x[place]), math.sqrt(variance)
+    estimate = freed.estimate_of(name, found)
+    if not estimate.std_error > 0.0 or not found.cost < problem.cost(unknowns):
+        return first
+    return estimate
+
+
+def _explaining(
+    problem: Problem,
+    unknowns: Reals,
+    channels: Mapping[str, _Channel],
+    one: _Held,
+    known: set[str],
+) -> _Held:
+    """Return what is held with the fit that frees it, if that leaves neither waves nor outliers.
+
+    A wrong fit may be far from the right one, where no derivative leads. All errors count as those
+    from frame to frame, so that no slow noise makes up for the motion.
+    """
+    if one.name not in problem.holdable or not one.is_separate:
+        return one
+    noise = {name: Noise(channel.sigma) for name, channel in channels.items()}
+    freed = replace(problem.freed(one.name), noise=noise)
+    values, size = problem.values(unknowns), in_units(one.name, USUAL_ERRORS[one.name], one.value)
+    low, high = freed.limits(one.name)
+    places = (one.value + number * size for number in _TRIES)
+    tries = [
+        freed.refine(freed.unknowns_of(values | {one.name: place}), "linear", ROUGH, _STEPS_OF_TRY)
+        for place in places
+        if low <= place <= high
+    ]
+    best = min(tries, key=lambda found: float(found.cost))
+    best = freed.refine(best.x, "linear", ROUGH, _STEPS_OF_FREED)
+    left = _channels_of(freed, best.x, known)
+    better = replace(problem, noise=noise).cost(unknowns) - float(best.cost)
+    if better <= 0.0 or any((*_structure(left), *_outliers(left))):
+        return one
+    estimate = freed.estimate_of(one.name, best)
+    score = math.copysign(math.sqrt(2.0 * better), one.value - estimate.value)
+    return replace(one, score=score, freed=estimate)
 
 
 def _structure(channels: Mapping[str, _Channel]) -> Iterator[Doubt]:

@@ -14,29 +14,13 @@ from .calibration import CALIBRATION
 from .diagnostics import Doubt
 from .estimate import Estimate
 from .problem import OF_HOOP, Problem
+from .usual_errors import IN_PARTS, USUAL_ERRORS, in_units
 
-__all__ = ["USUAL_ERRORS", "checked_errors", "errors_of_given", "unseen", "usual_in_words"]
+__all__ = ["checked_errors", "errors_of_given", "unseen", "usual_in_words"]
 
-# What is known as a part of its value, as a part of 1, and in radians.
-_IN_PARTS = ("mass_ratio", "offset", "inertia", "mu_s", "mu_k", "restitution")
+# What is known as a part of 1, and in radians.
 _PARTS = ("clock", "camera_scale", "camera_stretch", "camera_shear")
 _ANGLES = ("slope", "camera_turn", "camera_marker")
-
-USUAL_ERRORS: Mapping[str, float] = {
-    **dict.fromkeys(("mu_s", "mu_k", "restitution"), 0.1),
-    "inertia": 0.03,
-    "mass_ratio": 0.02,
-    "offset": 0.01,
-    "slope": math.radians(0.5),
-    "clock": 0.01,
-    "rolling_resistance": 0.005,
-    "camera_scale": 0.01,
-    "camera_turn": math.radians(0.5),
-    "camera_marker": math.radians(1.0),
-}
-"""Standard errors of what is held where nobody says how well it is known: of kitchen scales, a
-ruler, a water level, and the rate that a telephone says."""
-
 _OTHERS = ("slope", "clock", "rolling_resistance", *(f"camera_{name}" for name in CALIBRATION))
 # Singular values that are smaller, as a part of the largest, tell nothing.
 _LOST = 1e-8
@@ -86,8 +70,8 @@ def checked_errors(given: Mapping[str, float]) -> dict[str, float]:
     """Return the errors of what was weighed and measured; refuse what makes no sense."""
     found = {}
     for name, value in given.items():
-        if name not in (*_IN_PARTS, *_OTHERS):
-            raise ValueError(f"errors has {name}; it can have {', '.join((*_IN_PARTS, *_OTHERS))}")
+        if name not in (*IN_PARTS, *_OTHERS):
+            raise ValueError(f"errors has {name}; it can have {', '.join((*IN_PARTS, *_OTHERS))}")
         found[name] = real(value, f"error of {name}")
         if not (found[name] > 0.0 and math.isfinite(found[name])):
             raise ValueError(f"error of {name} = {value} must be positive and finite")
@@ -115,7 +99,7 @@ def _given(problem: Problem, best: Any, told: Mapping[str, float]) -> _Given:
         if derivative is not None:
             names.append(name)
             columns.append(np.concatenate([*problem.whitened(derivative).values()]))
-            sizes.append(error * (abs(float(held[name])) if name in _IN_PARTS else 1.0))
+            sizes.append(in_units(name, error, float(held.get(name, 0.0))))
     if not columns:
         none = np.zeros(0)
         return _Given(
@@ -208,4 +192,4 @@ def _as_size(name: str, size: float) -> str:
     """Return an error, of what is known in parts as a part, in the unit of its measurement."""
     if name in _ANGLES:
         return f"{math.degrees(size):.2g}°"
-    return f"{100.0 * size:.2g} %" if name in (*_IN_PARTS, *_PARTS) else f"{size:.2g} R"
+    return f"{100.0 * size:.2g} %" if name in (*IN_PARTS, *_PARTS) else f"{size:.2g} R"

@@ -15,6 +15,7 @@ from .._internal.extras import require
 from ..hoop import Hoop
 from ..trajectory import Trajectory
 from .calibration import shown
+from .estimate import Estimate
 from .exposure import Exposures
 from .noise import Noise, estimate_noise, whitenings
 from .track import Track
@@ -239,6 +240,22 @@ class Problem:
             found["mu_s"] += found["mu_k"]
         return found
 
+    def unknowns_of(self, values: Mapping[str, Any]) -> Reals:
+        """Return the unknowns that stand for everything by name, within their bounds."""
+        known = dict(values)
+        if "mu_s" in self.names and "mu_k" in self.names:
+            known["mu_s"] -= known["mu_k"]
+        low, high = self.bounds()
+        return np.asarray(np.clip([known[name] for name in self.names], low, high))
+
+    def estimate_of(self, name: str, best: Any) -> Estimate:
+        """Return the value of a parameter at a minimum, and its standard error."""
+        along = np.array([float(one == name) for one in self.names])
+        if name == "mu_s" and "mu_k" in self.names:
+            along[self.names.index("mu_k")] = 1.0
+        variance = float(along @ np.linalg.pinv(best.jac.T @ best.jac) @ along)
+        return Estimate(float(self.values(best.x)[name]), math.sqrt(max(variance, 0.0)), True)
+
     def motion(self, unknowns: Reals) -> Trajectory:
         """Return the motion while the video was taken."""
         return self._pictures(self.values(unknowns)).motion
@@ -453,10 +470,7 @@ class Problem:
         held |= {"mu_s": max(values["mu_s"], values["mu_k"]), "mu_k": values["mu_k"]}
         hoop = replace(self.hoop, units=self.hoop.units, **held)
         found = replace(self, hoop=hoop, names=tuple(one for one in self.names if one != name))
-        if "mu_s" in found.names and "mu_k" in found.names:
-            values["mu_s"] -= values["mu_k"]
-        low, high = found.bounds()
-        return found, np.clip([values[one] for one in found.names], low, high)
+        return found, found.unknowns_of(values)
 
     def refine(
         self, unknowns: Reals, loss: str, tolerance: float = FINE, most: int = _MOST_STEPS

@@ -44,6 +44,7 @@ UNITS = {
     "ms": _Unit("time", 1e-3),
     "us": _Unit("time", 1e-6),
     "µs": _Unit("time", 1e-6),
+    "ns": _Unit("time", 1e-9),
     "rad": _Unit("theta", 1.0),
     "deg": _Unit("theta", math.radians(1.0)),
     "°": _Unit("theta", math.radians(1.0)),

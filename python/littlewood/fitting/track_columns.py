@@ -18,10 +18,10 @@ COLUMN_OF = {"time": "time", "theta": "theta", "x": "x", "y": "centre_y"}
 
 # Names in exports besides those of the columns of samples.
 _ALSO = {
-    "time": ("t",),
-    "theta": ("θ", "angle"),
-    "x": ("position", "x position", "position x"),
-    "y": ("y", "height", "y position", "position y"),
+    "time": ("t", "timestamp", "zeit", "temps", "tiempo", "tempo"),
+    "theta": ("θ", "φ", "phi", "angle", "winkel", "angolo", "ángulo"),
+    "x": ("position", "x position", "position x", "x-position"),
+    "y": ("y", "height", "y position", "position y", "y-position", "höhe", "hauteur", "altura"),
     FRAME: ("frame", "frames", "frame number", "frame_number"),
 }
 _CHANNELS = {
@@ -56,6 +56,25 @@ _DERIVED = frozenset(
 _RUN = re.compile(r"\s*run\s*#\s*(\d+)$", re.IGNORECASE)
 _DATA_SET = re.compile(r"(?:(?:run|data set) )?([^:]+):\s*", re.IGNORECASE)
 _IN_BRACKETS = re.compile(r"^(.*?)\s*[(\[]([^)\]]*)[)\]]$")
+# A quantity over its unit, as ISO 80000 writes columns: t/s, x / m.
+_OVER_UNIT = re.compile(r"^(.+?)\s*/\s*([^/]+)$")
+# How units are written besides.
+_UNIT_WORDS = {
+    "sec": "s",
+    "second": "s",
+    "seconds": "s",
+    "msec": "ms",
+    "millisecond": "ms",
+    "milliseconds": "ms",
+    "radian": "rad",
+    "radians": "rad",
+    "degree": "deg",
+    "degrees": "deg",
+    "metre": "m",
+    "metres": "m",
+    "meter": "m",
+    "meters": "m",
+}
 # Words in the names of points, in the languages in which schools use such programs most.
 _CENTRE = ("centre", "center", "hub", "mitte", "centro")
 _MARKER = ("marker", "particle", "weight", "spot", "marke", "marque", "marca")
@@ -132,13 +151,20 @@ def _parts(table: TextTable, name: str) -> _Name:
         text, run = name[: behind.start()], behind.group(1)
     elif before:
         text, run = name[before.end() :], before.group(1)
-    bracketed = _IN_BRACKETS.match(text)
+    bracketed, over = _IN_BRACKETS.match(text), _OVER_UNIT.match(text)
     if bracketed:
-        return _Name(bracketed.group(1).strip().lower(), bracketed.group(2).strip(), run)
+        return _Name(bracketed.group(1).strip().lower(), _unit(bracketed.group(2).strip()), run)
+    if over and _unit(over.group(2).strip()) in UNITS:
+        return _Name(over.group(1).strip().lower(), _unit(over.group(2).strip()), run)
     stem, _, last = text.rpartition("_")
     if stem and last.lower() in UNITS:
         return _Name(stem.strip().lower(), last.lower(), run)
     return _Name(text.strip().lower(), None, run)
+
+
+def _unit(text: str) -> str:
+    """Return a unit as it is called here."""
+    return _UNIT_WORDS.get(text.lower(), text)
 
 
 def _recognise(table: TextTable, place: int, name: str, point: str) -> Column | None:

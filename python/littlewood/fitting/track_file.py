@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,7 +11,7 @@ import numpy as np
 
 from .._internal.elementwise import Reals
 from .._internal.table_layouts import read_text_table
-from .._internal.text_table import TableFileError
+from .._internal.text_table import TableFileError, TextTable
 from .table_options import TableOptions
 from .track_columns import columns_of, marker_of, time_column
 from .track_units import OF_MARKER, Numbers, Times, in_metres, in_radians, in_seconds, is_in_si
@@ -84,5 +85,28 @@ def _numbers(path: str | Path, options: TableOptions) -> Numbers:
                 column=one.name,
                 hint="remove the column if it was not tracked",
             )
+    _check_seen(table, values)
     times = np.array(table.numbers(time.place, True))
     return Numbers(table, options, time, used, times, values)
+
+
+def _check_seen(table: TextTable, values: Mapping[str, Reals]) -> None:
+    """Refuse marks of what was not seen: one whole number, not positive, in all channels of a row.
+
+    A centre at the origin is in no contact; in the first row it may be where axes were laid.
+    """
+    if len(values) < 2:
+        return
+    all_of = np.array(list(values.values()))
+    marks = np.all(all_of == all_of[0], axis=0) & (all_of[0] == np.round(all_of[0]))
+    marks &= all_of[0] <= 0.0 if "y" in values else all_of[0] < 0.0
+    marks[0] &= all_of[0, 0] < 0.0
+    if marks.any():
+        k = int(np.argmax(marks))
+        raise TableFileError(
+            table.path,
+            f"has {all_of[0, k]:g} in all columns of the track, as programs write where they saw "
+            "nothing",
+            line=table.lines[k],
+            hint="leave these cells empty",
+        )

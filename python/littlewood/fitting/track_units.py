@@ -30,6 +30,8 @@ _CALENDAR = 1e8
 # Heights of a centre over its floor, radii, that no error of a camera makes: lower than a radius by
 # far, or high above. And how far from the centre no marker is.
 _LOWEST, _HIGHEST, _FARTHEST = 0.2, 30.0, 3.0
+# The lowest heights are those in contact, a radius, to errors of a plane; one frame may be wrong.
+_NEAR_FLOOR, _FEW = 1.5, 3
 # From here on a height may be in radii: those of a centre are at least 1.
 _RADIUS = 0.85
 # Of the heights the lowest are those in contact; fewer are frames in which the tracker failed.
@@ -94,10 +96,11 @@ def is_in_si(numbers: Numbers, units: Units | None) -> bool:
         return True
     odd = next((one for one in numbers.columns.values() if one.unit is not None), None)
     if odd is not None:
+        unit = next(iter(_units_by_step(numbers)), "s")
         raise table.refusal(
             f"is in SI units, {time.name} has no dimension",
             column=odd.name,
-            hint=f"name the time time_s, or say {options.say('time_unit', 's')}",
+            hint=f"name the time time_{unit}, or say {options.say('time_unit', unit)}",
         )
     _check_counted(numbers)
     if options.dimensionless or units is None:
@@ -183,6 +186,8 @@ def in_metres(numbers: Numbers, radius: float) -> dict[str, Reals]:
         _check_counted(numbers)
         metres = {name: one * _metre(numbers, name, radius) for name, one in found.items()}
         _check_height(numbers, radius)
+        if "y" in metres and not options.level:
+            _check_floor(numbers, np.sort(_seen(metres["y"])) / radius)
         return metres
     for name in found:
         one = numbers.columns[name]
@@ -223,6 +228,18 @@ def _step(times: Reals) -> float:
     return float(np.mean(steps[steps <= 1.5 * np.median(steps)]))
 
 
+def _rates(numbers: Numbers) -> dict[str, float]:
+    """Return how many rows a second there are if times are in a unit."""
+    step, options = _step(numbers.times), numbers.options
+    units = (unit for unit in TIME_UNITS if unit != FRAME)
+    return {unit: 1.0 / (step * _seconds(unit, options)) for unit in units}
+
+
+def _units_by_step(numbers: Numbers) -> list[str]:
+    """Return the units in which times may be, if the rows are frames of a film."""
+    return [unit for unit, rate in _rates(numbers).items() if _FEWEST <= rate <= _MOST]
+
+
 def _unit_by_step(numbers: Numbers) -> str:
     """Return the unit of times whose name has none; refuse what may be several.
 
@@ -231,8 +248,8 @@ def _unit_by_step(numbers: Numbers) -> str:
     """
     table, options = numbers.table, numbers.options
     step, fps = _step(numbers.times), options.fps
-    rates = {unit: 1.0 / (step * _seconds(unit, options)) for unit in TIME_UNITS if unit != FRAME}
-    may_be = [unit for unit, rate in rates.items() if _FEWEST <= rate <= _MOST]
+    rates = _rates(numbers)
+    may_be = _units_by_step(numbers)
     is_frames = abs(step - 1.0) <= _STEP
     if options.time_unit == FRAME or options.time_unit in may_be:
         return options.time_unit
@@ -276,7 +293,8 @@ def _metre(numbers: Numbers, name: str, radius: float) -> float:
             raise table.refusal(
                 f"has no dimension, {numbers.time.name} is in SI units",
                 column=one.name,
-                hint=f"name it {one.name}_m, or say {options.say('length_unit', 'm')}",
+                hint=f"name it {one.name}_m, or say {options.say('length_unit', 'm')}; or give "
+                f"the plane of the motion if these are pixels: {options.say('plane')}",
             )
         _check_size(numbers, one, radius)
         return 1.0
@@ -350,4 +368,20 @@ def _check_height(numbers: Numbers, radius: float) -> None:
             column=size.column.name,
             hint=f"name its unit, or say {' or '.join(said)}; or give the plane of the motion if "
             f"these are pixels: {options.say('plane')}",
+        )
+
+
+def _check_floor(numbers: Numbers, heights: Reals) -> None:
+    """Refuse heights, in radii and sorted, of which none is that in contact.
+
+    They grow downwards, or count from elsewhere.
+    """
+    lowest = float(heights[min(_FEW, heights.size) - 1])
+    if lowest > _NEAR_FLOOR:
+        one = numbers.columns["y"]
+        raise numbers.table.refusal(
+            f"has no height in contact, a radius: the lowest is {lowest:.3g} radii of the hoop",
+            column=one.name,
+            hint="y grows upwards from the floor; move the origin of the axes there; "
+            f"{numbers.options.say('ignore', one.name)} leaves it out",
         )
