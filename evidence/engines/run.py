@@ -639,8 +639,11 @@ MOVED = 0.01
 
 def moves(old: list[dict[str, Any]], new: dict[str, Any]) -> list[str]:
     """What of a run differs from the row of the results."""
-    key = ("case", "setting", "step")
-    row = next((one for one in old if all(one[name] == new[name] for name in key)), None)
+    mine = [one for one in old if all(one[name] == new[name] for name in ("case", "setting"))]
+    row = next((one for one in mine if one["step"] == new["step"]), None)
+    if row is None and new["status"] == "refused":
+        # What an engine cannot express has a row of the first step that was tried.
+        row = next((one for one in mine if one["status"] == "refused"), None)
     if row is None:
         return ["there is no such row"]
     if row["status"] != new["status"]:

@@ -253,6 +253,9 @@ def test_a_row_that_moved_is_named(run):
         "scored became failed gone"
     ]
     assert run.moves(old, one | {"step": 0.5}) == ["there is no such row"]
+    refused = next(one for one in old if one["status"] == "refused")
+    assert not run.moves(old, refused | {"step": 0.5})
+    assert run.moves(old, one | {"step": 0.5, "status": "refused"}) == ["there is no such row"]
 
 
 def test_limits_are_those_that_were_measured(run, monkeypatch):
