@@ -11,10 +11,11 @@ own_turn, own_speed: what the package as it comes cuts θ′ and x′ to; turn, 
 that in the adapter, by which `run.py` refuses a case. A number with /step is an angle, or a way,
 in a step. damping: rates of decay of x′ and θ′ in flight, as the package comes. sleep: the largest
 rate of rolling at which a disc is stopped, as the package comes. bounce: the least velocity of a
-landing after which it bounces. friction: how the coefficients of two bodies combine. force: the
-reported force after the first step of a body at rest, over its weight, and how many steps later
-than the velocity it changes in a landing. rolling, rolling_small: the couple that brakes a disc
-over χ N R, for χ = 0.1 and 1e-4 at a rate of 1; rolling_slow: for 1e-4 at a rate of 0.01.
+landing after which it bounces. friction: how the coefficients of two bodies combine, or that there
+is one for the pair. force: the reported force after the first step of a body at rest, over its
+weight, and how many steps later than the velocity it changes in a landing. rolling, rolling_small:
+the couple that brakes a disc over χ N R, for χ = 0.1 and 1e-4 at a rate of 1; rolling_slow: for
+1e-4 at a rate of 0.01.
 """
 
 from __future__ import annotations
@@ -79,6 +80,10 @@ Columns = dict[str, np.ndarray]
 Try = Callable[..., Columns | None]
 
 
+class FailedError(Exception):
+    """An adapter ended with an error, or yields no rates: nothing is known."""
+
+
 def case(**given: float) -> dict[str, float]:
     """The case of a probe: a balanced disc at rest, but for what is given."""
     disc = {
@@ -100,18 +105,22 @@ def case(**given: float) -> dict[str, float]:
 
 
 def trier(engine: Engine, setting: str, folder: Path) -> Try:
-    """What runs a probe: its columns, or None where the adapter refuses or fails."""
+    """What runs a probe: its columns, or None where the adapter refuses it."""
     prefix, file, record = prepared(engine), folder / "case.json", folder / "record.csv"
 
     def run(step: float = STEP, **given: float) -> Columns | None:
         file.write_text(json.dumps(case(**given)), encoding="utf-8")
         ran = run_adapter(prefix, file, step, setting, record, folder / "log")
-        if ran["status"] != "scored":
+        if ran["status"] == "refused":
             return None
+        if ran["status"] != "scored":
+            raise FailedError
         with record.open(encoding="utf-8", newline="") as text:
             rows = list(csv.DictReader(text))
         columns = {name: np.array([float(row[name]) for row in rows]) for name in rows[0]}
-        return columns if "theta_rate" in columns else None
+        if "theta_rate" not in columns:
+            raise FailedError
+        return columns
 
     return run
 
@@ -178,7 +187,7 @@ def friction(run: Try) -> str:
     """How two coefficients combine."""
     found = run(slip=1.0, mu_s=HOOP, mu_k=HOOP, plane=PLANE, until=0.5)
     if found is None:
-        return "?"
+        return "pair"
     first, last = found["x_rate"][100], found["x_rate"][-1]
     mine = float(first - last) / 0.4
     name = min(COMBINED, key=lambda one: abs(math.log(COMBINED[one] / max(mine, 1e-9))))
@@ -210,16 +219,27 @@ def rolling(run: Try, size: float, rate: float) -> str:
 
 
 def measured(run: Try) -> dict[str, str]:
-    """All limits of one setting."""
-    found = {f"own_{name}": cut(run, name, is_untouched=True) for name in FASTEST}
-    found |= {name: cut(run, name, is_untouched=False) for name in FASTEST}
-    found |= {"damping": damping(run), "sleep": sleep(run), "bounce": bounce(run)}
-    found |= {"friction": friction(run), "force": force(run)}
-    found |= {
-        "rolling": rolling(run, 0.1, 1.0),
-        "rolling_small": rolling(run, 1e-4, 1.0),
+    """All limits of one setting; `fails` where the adapter ends with an error."""
+    probes: dict[str, Callable[[], str]] = {
+        "own_turn": lambda: cut(run, "turn", is_untouched=True),
+        "turn": lambda: cut(run, "turn", is_untouched=False),
+        "own_speed": lambda: cut(run, "speed", is_untouched=True),
+        "speed": lambda: cut(run, "speed", is_untouched=False),
+        "damping": lambda: damping(run),
+        "sleep": lambda: sleep(run),
+        "bounce": lambda: bounce(run),
+        "friction": lambda: friction(run),
+        "force": lambda: force(run),
+        "rolling": lambda: rolling(run, 0.1, 1.0),
+        "rolling_small": lambda: rolling(run, 1e-4, 1.0),
+        "rolling_slow": lambda: rolling(run, 1e-4, 0.01),
     }
-    found |= {"rolling_slow": rolling(run, 1e-4, 0.01)}
+    found = {}
+    for name in NAMES:
+        try:
+            found[name] = probes[name]()
+        except FailedError:
+            found[name] = "fails"
     return found
 
 

@@ -69,9 +69,13 @@ def cell(runs: list[Run], case: str, setting: str) -> str:
     if at is not None:
         wrong = at["missed"] + at["spurious"]
         return number(at["error"]) + (f", {wrong} wrong" if wrong else "")
-    coarse = next((run for run in mine if run["status"] == "scored"), None)
-    if coarse is not None:
-        return f"({number(coarse['error'])})"
+    other = min(
+        (run for run in mine if run["status"] == "scored"),
+        key=lambda run: run["step"],
+        default=None,
+    )
+    if other is not None:
+        return f"({number(other['error'])})"
     word = {"refused": "cannot", "timeout": "too long", "failed": "failed"}
     return word[mine[0]["status"]] if mine else "–"
 

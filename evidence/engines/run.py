@@ -119,6 +119,7 @@ class Engine:
     def version(self) -> str:
         """That of the engine itself."""
         words = {
+            "box2d3": "pyb2d3",
             "mjwarp": "mujoco-warp",
             "mjx": "mujoco-mjx",
             "physx": "sapien",
@@ -148,7 +149,9 @@ class Engine:
         metre = 1.0 if "radius" in limits else fastest.metre
         reached = {"turn": fastest.turn, "speed": fastest.speed * metre}
         for name, unit in {"turn": "rad/s", "speed": "m/s"}.items():
-            number, *per_step = limits.get(name, "inf").split("/")
+            if limits.get(name, "fails") == "fails":
+                continue
+            number, *per_step = limits[name].split("/")
             # An angle, or a way, that a body makes in a step at most.
             most = float(number) / (step * fastest.second if per_step else 1.0)
             size = reached[name] / fastest.second
@@ -215,7 +218,8 @@ def prepared(engine: Engine) -> list[str]:
         subprocess.run(["cargo", "build", *options], check=True)
         return [str(folder / "release" / adapter.stem)]
     made = folder.with_suffix(".txt")
-    if not made.exists() or made.read_text(encoding="utf-8") != "\n".join(needs):
+    known = made.read_text(encoding="utf-8") if folder.exists() and made.exists() else ""
+    if known != "\n".join(needs):
         make(folder, needs)
         made.write_text("\n".join(needs), encoding="utf-8")
     if needs[0].startswith("npm:"):
@@ -635,8 +639,11 @@ MOVED = 0.01
 
 def moves(old: list[dict[str, Any]], new: dict[str, Any]) -> list[str]:
     """What of a run differs from the row of the results."""
-    key = ("case", "setting", "step")
-    row = next((one for one in old if all(one[name] == new[name] for name in key)), None)
+    mine = [one for one in old if all(one[name] == new[name] for name in ("case", "setting"))]
+    row = next((one for one in mine if one["step"] == new["step"]), None)
+    if row is None and new["status"] == "refused":
+        # What an engine cannot express has a row of the first step that was tried.
+        row = next((one for one in mine if one["status"] == "refused"), None)
     if row is None:
         return ["there is no such row"]
     if row["status"] != new["status"]:
@@ -680,6 +687,18 @@ def machine() -> dict[str, str]:
         "system": platform.system(),
         "python": platform.python_version(),
     }
+
+
+def keep(folder: Path, every: dict[str, Engine], name: str, found: list[dict[str, Any]]) -> None:
+    """Write the runs of an engine beside those that are known, and what they ran on."""
+    if not found:
+        return
+    known = read(folder).get(name, [])
+    write(folder, name, merged(known, found, every[name].settings))
+    machines = {row["engine"]: row for row in read_rows(folder / "machines.csv")}
+    machines[name] = {"engine": name, **machine()}
+    ordered = [machines[one] for one in every if one in machines]
+    write_rows(folder / "machines.csv", list(ordered[0]), ordered)
 
 
 def changed(commit: str) -> list[str]:
@@ -736,13 +755,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 sorted(rows, key=lambda row: list(every).index(row["engine"])),
             )
             continue
-        found = list(runs(engine, options))
+        found: list[dict[str, Any]] = []
+        try:
+            found.extend(runs(engine, options))
+        finally:
+            # What has run is kept where the rest is interrupted.
+            keep(options.out, every, name, found)
         failed += sum(run["status"] == "failed" for run in found)
-        write(options.out, name, merged(read(options.out).get(name, []), found, engine.settings))
-        machines = {row["engine"]: row for row in read_rows(options.out / "machines.csv")}
-        machines[name] = {"engine": name, **machine()}
-        ordered = [machines[one] for one in every if one in machines]
-        write_rows(options.out / "machines.csv", list(ordered[0]), ordered)
     if failed:
         print(f"{failed} runs failed; logs are in {ENVIRONMENTS / 'logs'}", file=sys.stderr)
     return 1 if failed else 0

@@ -106,6 +106,12 @@ class Case:
         """The coefficient of the plane: `neutral`, with which that of the hoop is the contact's."""
         return neutral if self.plane < 0.0 else self.plane
 
+    def friction_of_pair(self):
+        """The coefficient, for an engine that has one for each pair of bodies."""
+        if self.plane >= 0.0:
+            refuse("the coefficient is that of the pair")
+        return self.one_coefficient()
+
     @property
     def x_rate(self):
         """Velocity of the geometric centre along the plane: slip = x' + R theta'."""

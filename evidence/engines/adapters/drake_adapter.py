@@ -11,6 +11,7 @@ requires: contourpy==1.3.3 cycler==0.12.1 drake==1.51.1 fonttools==4.68.0 kiwiso
 limits: bounce=none friction=harmonic rolling=none rolling_small=none rolling_slow=none
 limits default: force=0.34,+0
 limits careful: force=0.98,+0
+limits continuous: force=0.30,+0
 docs: https://drake.mit.edu/doxygen_cxx/
 
 default: the discrete plant as it comes (its step is that of the case).

@@ -48,8 +48,10 @@ def functions(case, step, setting):
     source = source.split("# driver code")[0].replace(
         "num=101", f"num={min(200_000, round(10.0 / step) + 1)}"
     )
-    about_centre = case.inertia + case.mass * case.h**2 - 1.0
-    values = {"g": 1.0, "r": 1.0, "m": case.mass - 1.0, "I": about_centre * (1.0 - 1e-15), "M": 1.0}
+    mass = case.mass - 1.0
+    # It refuses I > m r^2, and so one that is larger by rounding.
+    about_centre = min(case.inertia + case.mass * case.h**2 - 1.0, mass * (1.0 - 1e-15))
+    values = {"g": 1.0, "r": 1.0, "m": mass, "I": about_centre, "M": 1.0}
     values |= {"mu_k": case.mu_k, "mu_s": max(case.mu_s, case.mu_k + MORE[setting])}
     values |= {"theta0": case.theta + math.pi / 2, "omega0": case.theta_rate}
     if setting == "careful":
@@ -95,8 +97,9 @@ def simulate(case, step, setting):
     with contextlib.redirect_stdout(io.StringIO()) as said, contextlib.suppress(SystemExit):
         follow(space, case)
     time, theta, _, _, along, height = map(np.asarray, space["big"])
-    if time[-1] < case.until:
-        refuse(f"the program stops at {time[-1]:.4f}: {' '.join(said.getvalue().split()[-8:])}")
+    end = time[-1] if time.size else 0.0
+    if end < case.until:
+        refuse(f"the program stops at {end:.4f}: {' '.join(said.getvalue().split()[-8:])}")
     x = cumulative_trapezoid(along, x=time, initial=0)
     instants = np.arange(1, round(case.until / step) + 1) * step
     columns = (

@@ -4,6 +4,7 @@ engine: Moreau time stepping (ours)
 contact: rigid
 settings: default
 rolling: separate limits.
+limits: friction=pair force=none rolling=1 rolling_small=1 rolling_slow=1
 docs: python/docs/score.md
 
 The scheme of python/docs/score.md, with sweeps of projected Gauss-Seidel until nothing changes.
@@ -23,7 +24,7 @@ ENOUGH = 1e-15
 
 def simulate(case, step, _):
     """Yield rows."""
-    m, h, inertia, mu = case.mass, case.h, case.inertia, case.one_coefficient()
+    m, h, inertia, mu = case.mass, case.h, case.inertia, case.friction_of_pair()
     x, y = case.mass_centre()
     vx, vy = case.mass_centre_rates()
     theta, rate, radius, chi = (case.theta, case.theta_rate, case.radius, case.rolling_resistance)

@@ -10,6 +10,10 @@ settings: default careful
 requires: certifi==2026.10.19.post1 charset-normalizer==3.5.3 idna==3.20 importlib_resources==7.1.0
   lxml==6.1.3 networkx==3.6.1 numpy==2.4.6 opencv-python==5.0.0.93 pyperclip==1.11.0
   requests==2.34.2 sapien==3.0.3 setuptools==65.5.0 transforms3d==0.4.2 urllib3==2.8.0
+limits: own_turn=100 turn=1e+03 friction=mean force=1.00,+0 rolling=none rolling_small=none
+  rolling_slow=none
+limits default: damping=0,0.049 bounce=3
+limits careful: damping=0,0.05
 docs: https://nvidia-omniverse.github.io/PhysX/physx/5.1.0/docs/RigidBodyDynamics.html
 
 default: as the package comes: the solver TGS, 10 position and 1 velocity iterations, restitution

@@ -6,13 +6,16 @@ engine: Siconos
 contact: rigid
 settings: default careful
 requires: debian:python3-siconos==4.4.0
+rolling: separate limits (NewtonImpactRollingFrictionNSL); its coefficient, a length, is chi R.
+limits: friction=pair force=1.00,+0 rolling=1 rolling_small=1 rolling_slow=1
 docs: https://nonsmooth.gricad-pages.univ-grenoble-alpes.fr/siconos/
 
 The relation between coordinates, gap and slip is linear and is made anew at each step: in Siconos
 4.4 a relation whose Jacobian Python computes ends in a segmentation fault.
 default: theta = 1/2, the solver of plane friction that Siconos chooses.
 careful: the same, with the directions of gap and slip of the middle of the step, and friction
-solved by enumeration.
+solved by Lemke's method. (Its solver by enumeration, which stood here, takes patterns whose matrix
+is singular but for rounding: its motions differ from one kernel of OpenBLAS to another.)
 Cannot express: mu_s and mu_k (one coefficient). Restitution is Newton's, at any speed.
 """
 
@@ -23,7 +26,7 @@ import siconos.kernel as kernel
 import siconos.numerics as numerics
 from adapter import main, stepped
 
-SOLVER = {"default": [], "careful": [numerics.SICONOS_FRICTION_2D_ENUM]}
+SOLVER = {"default": [], "careful": [numerics.SICONOS_FRICTION_2D_LEMKE]}
 AHEAD = {"default": 0.0, "careful": 0.5}
 """Where in a step the directions are taken."""
 
@@ -41,22 +44,28 @@ def simulate(case, step, setting):
     body.setFExtPtr(weight)
 
     def contact():
-        """Rows and constants of gap and slip."""
+        """Rows and constants of gap, slip and, where it is resisted, rotation."""
         _, _, theta = body.q()
         ahead = theta + AHEAD[setting] * step * body.velocity()[2]
         c, s = h * math.cos(ahead), h * math.sin(ahead)
+        rows = [[0.0, 1.0, s], [1.0, 0.0, case.radius + c], [0.0, 0.0, 1.0]]
         # The constant is that with which the gap is right where the body is.
-        return np.array([[0.0, 1.0, s], [1.0, 0.0, case.radius + c]]), np.array(
-            [-h * math.cos(theta) - case.radius - s * theta, 0.0]
-        )
+        constants = [-h * math.cos(theta) - case.radius - s * theta, 0.0, 0.0]
+        return np.array(rows[:directions]), np.array(constants[:directions])
 
+    e, mu, chi = case.restitution, case.friction_of_pair(), case.rolling_resistance
+    directions = 3 if chi > 0.0 else 2
+    if chi > 0.0:
+        law = kernel.NewtonImpactRollingFrictionNSL(e, 0.0, mu, chi, 3)
+        friction = kernel.RollingFrictionContact(3, numerics.SICONOS_ROLLING_FRICTION_2D_NSGS)
+    else:
+        law = kernel.NewtonImpactFrictionNSL(e, 0.0, mu, 2)
+        friction = kernel.FrictionContact(2, *SOLVER[setting])
     relation = kernel.LagrangianLinearTIR(*contact())
-    law = kernel.NewtonImpactFrictionNSL(case.restitution, 0.0, case.one_coefficient(), 2)
     interaction = kernel.Interaction(law, relation)
     system = kernel.NonSmoothDynamicalSystem(0.0, 2.0 * case.until)
     system.insertDynamicalSystem(body)
     system.link(interaction, body)
-    friction = kernel.FrictionContact(2, *SOLVER[setting])
     scheme = kernel.TimeStepping(
         system, kernel.TimeDiscretisation(0.0, step), kernel.MoreauJeanOSI(0.5), friction
     )
@@ -68,10 +77,12 @@ def simulate(case, step, setting):
         scheme.computeOneStep()
         scheme.nextStep()
 
-    yield from stepped(
-        case, step, advance, lambda time: case.row(time, *body.q(), *body.velocity())
-    )
+    def row(time):
+        there = case.row(time, *body.q(), *body.velocity())
+        return case.forced(there, lambda: interaction.lambda_(1)[0] / step)
+
+    yield from stepped(case, step, advance, row)
 
 
 if __name__ == "__main__":
-    main(simulate)
+    main(simulate, has_rolling_friction=True)

@@ -253,6 +253,9 @@ def test_a_row_that_moved_is_named(run):
         "scored became failed gone"
     ]
     assert run.moves(old, one | {"step": 0.5}) == ["there is no such row"]
+    refused = next(one for one in old if one["status"] == "refused")
+    assert not run.moves(old, refused | {"step": 0.5})
+    assert run.moves(old, one | {"step": 0.5, "status": "refused"}) == ["there is no such row"]
 
 
 def test_limits_are_those_that_were_measured(run, monkeypatch):
@@ -263,6 +266,48 @@ def test_limits_are_those_that_were_measured(run, monkeypatch):
     assert len({row["engine"] for row in rows}) >= 5
     for row in rows:
         assert not probe.differences(known[row["engine"]], row["setting"], row), row["engine"]
+
+
+def test_a_probe_tells_a_refusal_from_a_failure(run, monkeypatch):
+    monkeypatch.syspath_prepend(str(FOLDER))
+    import probe
+
+    def refuses(*_, **given):
+        """Refuses a second coefficient, rebounds and rolling friction; the rest fails."""
+        if {"plane", "restitution", "rolling_resistance"} & set(given):
+            return None
+        raise probe.FailedError
+
+    found = probe.measured(refuses)
+    assert set(found) == set(probe.NAMES)
+    assert (found["friction"], found["bounce"], found["rolling"]) == ("pair", "none", "none")
+    assert {found[name] for name in ("turn", "own_speed", "damping", "force")} == {"fails"}
+
+
+def test_what_has_run_is_kept_where_the_rest_is_interrupted(run, tmp_path, monkeypatch):
+    ran = next(one for one in run.read(run.RESULTS)["moreau"] if one["status"] == "scored")
+
+    def interrupted(*_):
+        yield ran
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(run, "runs", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        run.main(["moreau", "--out", str(tmp_path)])
+    assert run.read(tmp_path)["moreau"] == [ran]
+    assert [row["engine"] for row in run.read_rows(tmp_path / "machines.csv")] == ["moreau"]
+
+
+def test_an_environment_that_is_gone_is_made_again(run, tmp_path, monkeypatch):
+    engine, made = run.engines()["pymunk"], []
+    monkeypatch.setattr(run, "ENVIRONMENTS", tmp_path)
+    monkeypatch.setattr(run, "make", lambda folder, _: made.append(folder.mkdir()))
+    for count in (1, 1):
+        run.prepared(engine)
+        assert len(made) == count
+    (tmp_path / "pymunk").rmdir()
+    run.prepared(engine)
+    assert len(made) == 2
 
 
 def test_outcomes_without_a_record(run):
