@@ -295,12 +295,13 @@ def _contradictions(
 
 def _asked(one: _Held, freed: Estimate) -> str:
     """Return what a track asks for in place of what is held."""
-    words = f"{one.name} {freed.value:.3g} ± {freed.std_error:.1g} in place of {one.value:.3g}"
+    words = f"{one.name} {freed.value:.3g} ± {freed.std_error:.1g}"
+    if one.name == "slope":
+        words += f" ({math.degrees(freed.value):.2g}°)"
+    words += f" in place of {one.value:.3g}"
     if one.name == CLOCK:
         other = "longer" if freed.value > 0.0 else "shorter"
         words += f" (all times {100.0 * abs(freed.value):.2g} % {other})"
-    elif one.name == "slope":
-        words += f" ({math.degrees(freed.value):.2g}°)"
     return words
 
 
