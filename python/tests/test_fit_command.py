@@ -502,6 +502,34 @@ def test_a_report_says_nothing_by_what_the_motion_does_not_tell():
     assert parts["mu_s"][time > begins[1]].sum() > 0.5
 
 
+def test_a_report_of_rolling_alone_has_a_map_without_a_mark(monkeypatch):
+    """It ended in a TypeError where neither coefficient of friction is known."""
+    monkeypatch.setattr(report, "_GRID", (4, 3))
+    hoop = lw.Hoop.from_si(**KNOWN, inertia_kg_m2=0.021, mu_s=0.9, mu_k=0.8)
+    rolling, random = hoop.simulate(theta=2.5, theta_rate=0.5), np.random.default_rng(1)
+    time = np.linspace(0.0, 8.0, 150)
+    seen, noise = rolling(time), random.normal(0.0, 0.003, (2, time.size))
+    track = lw.Track(time, theta=seen.theta + noise[0], x=seen.x + noise[1])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
+        start = {"theta": 2.5, "theta_rate": 0.5}
+        result = lw.fit(track, hoop, start=start, search=False)
+    assert not any(result.estimates[name].identifiable for name in ("mu_s", "mu_k"))
+    page = report_html(result, title="rolling")
+    assert "With μₛ = μₖ = μ, up to the first landing" in page and "yours" not in page
+    assert "so that only μₛ ≥ " in page and "mu_s" not in page
+    assert "Izz (kg m²)" in page
+    assert "the same over m₂R²" in page
+
+
+@pytest.mark.parametrize("frames", [30, 61, 109, 120, 121])
+def test_columns_of_the_picture_have_frames_each(frames):
+    """Columns as wide as the time between frames had two of them or none, by rounding."""
+    counts = np.diff([*report._firsts(frames), frames])
+    assert np.all(counts[:-1] == counts[0]) and 0 < counts[-1] <= counts[0]
+    assert counts.size <= 60
+
+
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium, which prints")
 def test_a_report_prints_on_one_sheet_with_any_number_of_doubts(motion, tmp_path):
     time = np.linspace(0.0, 4.0, 120)

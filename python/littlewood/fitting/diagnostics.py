@@ -58,7 +58,7 @@ _MOST_NAMED = 3
 # Steps of a fit that finds what is held. It begins so many usual errors away, with few steps, and
 # goes on from the best of these: where events hang on each other the sum of squares has many
 # minima.
-_STEPS_OF_FREED, _STEPS_OF_TRY = 30, 12
+_STEPS_OF_FREED, _STEPS_OF_TRY, _STEPS_OF_BEST = 30, 12, 100
 _TRIES = (-4.0, -2.0, 0.0, 2.0, 4.0)
 # A cause explains at least this part of what the squares of the residuals have too much.
 _EXPLAINS = 0.4
@@ -295,11 +295,14 @@ def _contradictions(
 
 def _asked(one: _Held, freed: Estimate) -> str:
     """Return what a track asks for in place of what is held."""
-    words = f"{one.name} {freed.value:.3g} ± {freed.std_error:.1g} in place of {one.value:.3g}"
-    if one.name != CLOCK:
-        return words
-    other = "longer" if freed.value > 0.0 else "shorter"
-    return f"{words} (all times {100.0 * abs(freed.value):.2g} % {other})"
+    words = f"{one.name} {freed.value:.3g} ± {freed.std_error:.1g}"
+    if one.name == "slope":
+        words += f" ({math.degrees(freed.value):.2g}°)"
+    words += f" in place of {one.value:.3g}"
+    if one.name == CLOCK:
+        other = "longer" if freed.value > 0.0 else "shorter"
+        words += f" (all times {100.0 * abs(freed.value):.2g} % {other})"
+    return words
 
 
 def _freed(problem: Problem, unknowns: Reals, name: str, first: Estimate) -> Estimate:
@@ -341,7 +344,7 @@ def _explaining(
         if low <= place <= high
     ]
     best = min(tries, key=lambda found: float(found.cost))
-    best = freed.refine(best.x, "linear", ROUGH, _STEPS_OF_FREED)
+    best = freed.refine(best.x, "linear", ROUGH, _STEPS_OF_BEST)
     left = _channels_of(freed, best.x, known)
     better = replace(problem, noise=noise).cost(unknowns) - float(best.cost)
     if better <= 0.0 or any((*_structure(left), *_outliers(left))):

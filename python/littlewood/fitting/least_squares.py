@@ -498,8 +498,8 @@ def _unseen(motion: Trajectory, demand: float) -> dict[str, str]:
         transition.impact for transition in motion.transitions if transition.impact is not None
     ]
     if not any(transition.cause == "slip" for transition in motion.transitions):
-        reasons["mu_s"] = (
-            f"no slip out of rolling was seen, so that only mu_s >= {demand:.4g} is known"
+        reasons["mu_s"] = "no slip out of rolling was seen, " + (
+            f"so that only mu_s >= {demand:.4g} is known" if demand > 0.0 else "nor any rolling"
         )
     if not (
         any(phase.mode == "sliding" for phase in motion.phases)

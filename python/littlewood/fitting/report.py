@@ -5,11 +5,13 @@ from __future__ import annotations
 import base64
 import dataclasses
 import itertools
+import math
 from collections.abc import Iterator
 from html import escape
 from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from ..plot import canvas, history, outcomes
 from ..style import FAINT, FINE, INK, LINE, MODE_COLOURS, PAPER
@@ -88,7 +90,7 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
         _WIDTH, max(_LEAST_HEIGHT, _HEIGHT - _DOUBT_HEIGHT * min(len(result.doubts), _DOUBTS))
     )
     doubts = "".join(
-        f'<p class="doubt"><b>Doubt: {escape(one.name)}.</b> {escape(one.message)}</p>'
+        f'<p class="doubt"><b>Doubt: {escape(one.name)}.</b> {escape(_in_signs(one.message))}</p>'
         for one in result.doubts[:_DOUBTS]
     )
     if len(result.doubts) > _DOUBTS:
@@ -128,18 +130,27 @@ def report_html(result: FitResult, *, title: str, photo: bytes | None = None) ->
 """
 
 
+def _in_signs(message: str) -> str:
+    """Return a message with coefficients as the table has them."""
+    for name, sign in (("mu_s", "μₛ"), ("mu_k", "μₖ"), (">=", "≥")):
+        message = message.replace(name, sign)
+    return message
+
+
 def _rows(result: FitResult) -> Iterator[str]:
     for name, estimate in result.estimates.items():
         if name in QUANTITIES:
             quantity, interval = QUANTITIES[name], _interval(result, name)
-            yield _row(quantity.sign, quantity.long_name, estimate, interval)
+            meaning = quantity.long_name
             if name == "inertia" and result.hoop.units is not None:
-                unit, quantity = result.hoop.units.inertia_kg_m2, QUANTITIES["inertia_kg_m2"]
+                unit, of_si = result.hoop.units.inertia_kg_m2, QUANTITIES["inertia_kg_m2"]
                 si = Estimate(estimate.value * unit, estimate.std_error * unit, True)
                 si = si if estimate.identifiable else estimate
                 low, high = interval
-                meaning = f"the same in {quantity.unit_sign}"
-                yield _row(quantity.sign, meaning, si, (low * unit, high * unit))
+                sign = f"{of_si.sign} ({of_si.unit_sign})"
+                yield _row(sign, of_si.long_name, si, (low * unit, high * unit))
+                meaning = "the same over m₂R²"
+            yield _row(quantity.sign, meaning, estimate, interval)
 
 
 def _interval(result: FitResult, name: str) -> tuple[float, float]:
@@ -173,21 +184,22 @@ def _row(sign: str, meaning: str, estimate: Estimate, ends: tuple[float, float])
 
 def _facts(result: FitResult) -> str:
     hoop, frames = result.hoop, result.track.time.size
-    known = [
-        (QUANTITIES[name].sign, getattr(hoop, name)) for name in ("mass_ratio", "offset", "slope")
-    ]
+    known = [(QUANTITIES[name].sign, getattr(hoop, name)) for name in ("mass_ratio", "offset")]
     words = ", ".join(f"{sign} = {value:.4g}" for sign, value in known)
+    words += f", slope {math.degrees(hoop.slope):.3g}°"
     if hoop.units is not None:
         words += f", R = {hoop.units.length_m:.4g} m; the unit of τ is {hoop.units.time_s:.4g} s"
     sizes = ", ".join(
         f"{QUANTITIES[name].sign if name in QUANTITIES else name} {noise.sigma:.2g}"
         for name, noise in result.noise.items()
     )
-    return (
-        f"Held: {escape(words)}. {frames} frames; errors of a frame: {escape(sizes)} (rad, R); "
-        f"μₛ is at least {result.mu_s_at_least:.3g}. {_of_clock(result)} "
-        f"Motion: {escape(result.motion.outcome.label)}."
-    )
+    said = [
+        f"As told: {escape(words)}.",
+        f"{frames} frames; errors of each: {escape(sizes)} (rad, R).",
+    ]
+    if not _knows(result, "mu_s") and result.mu_s_at_least > 0.0:
+        said.append(f"μₛ is at least {result.mu_s_at_least:.3g}, which rolling needed.")
+    return " ".join([*said, _of_clock(result)])
 
 
 def _of_clock(result: FitResult) -> str:
@@ -217,6 +229,11 @@ def _may_say(result: FitResult) -> bool:
     return _knows(result) and len(result.doubts) <= _FEW_DOUBTS
 
 
+def _firsts(frames: int) -> npt.NDArray[np.intp]:
+    """Return the first frames of columns of so many frames each: none is empty by rounding."""
+    return np.arange(0, frames, math.ceil(frames / _COLUMNS))
+
+
 def _told(result: FitResult) -> str:
     """Draw which frames tell each number, in the colours of the phases."""
     parts = shares(result)
@@ -226,17 +243,19 @@ def _told(result: FitResult) -> str:
     begins = np.array([phase.start_time for phase in motion.phases])
     modes = np.array([phase.mode for phase in motion.phases])
     of_frames = modes[np.maximum(np.searchsorted(begins, time, side="right") - 1, 0)]
-    edges = np.linspace(time[0], time[-1], min(_COLUMNS, time.size) + 1)
+    firsts = _firsts(time.size)
+    between = 0.5 * (time[firsts[1:] - 1] + time[firsts[1:]])
+    edges = np.concatenate([time[:1], between, time[-1:]])
+    frames = np.diff([*firsts, time.size])
     figure = canvas.sheet(_WIDTH, _AXIS_HEIGHT + _ROW_HEIGHT * len(parts))
     axes = figure.add_subplot()
     for row, (name, part) in enumerate(parts.items()):
         bottom = np.zeros(edges.size - 1)
-        whole, _ = np.histogram(time, edges, weights=part)
+        most = np.max(np.add.reduceat(part, firsts) / frames)
         said = {}
         for mode, colour in MODE_COLOURS.items():
             of_mode = np.where(of_frames == mode, part, 0.0)
-            heights, _ = np.histogram(time, edges, weights=of_mode)
-            heights = 0.85 * heights / whole.max()
+            heights = 0.85 * np.add.reduceat(of_mode, firsts) / frames / most
             axes.bar(edges[:-1], heights, np.diff(edges), -row + bottom, align="edge", color=colour)
             bottom += heights
             said[mode] = float(of_mode.sum())
@@ -260,8 +279,9 @@ def _told(result: FitResult) -> str:
     title = "Which part of the film says what"
     return (
         f"<h2>{title}</h2>\n"
-        '<p class="small">The higher a column, the more its frames tell of the number; its colour '
-        "is what the hoop then does. A number of which few frames tell hangs on these.</p>\n"
+        '<p class="small">The higher a column, the more each of its frames tells of the number; '
+        "its colour is what the hoop then does. A number of which few frames tell hangs on these."
+        "</p>\n"
         f'<img alt="how much each part of the film tells of each number" '
         f'src="{_svg(figure, title)}">'
     )
@@ -287,7 +307,7 @@ def _of_friction(result: FitResult) -> str:
     start = motion.start
     knows_static, knows_kinetic = _knows(result, "mu_s"), _knows(result, "mu_k")
     marked = ([hoop.mu_k] if knows_kinetic else []) + ([hoop.mu_s] if knows_static else [])
-    most = max(_MOST_FRICTION, *(1.2 * value for value in marked))
+    most = max([_MOST_FRICTION, *(1.2 * value for value in marked)])
     rates = abs(start.theta_rate) + 2.0
     until = _FOLLOWED if hoop.rolling_resistance > 0.0 else None
     found = outcome_map(
@@ -317,9 +337,10 @@ def _of_friction(result: FitResult) -> str:
                 "alpha": 0.8,
             },
         )
-    followed = "" if until is None else f'<p class="small">Followed to τ = {until:.0f}.</p>\n'
+    followed = "" if until is None else f", or τ = {until:.0f}"
     return (
-        f"<div>\n<h2>What your hoop would do with more friction</h2>\n{followed}"
+        "<div>\n<h2>What your hoop would do with more friction</h2>\n"
+        f'<p class="small">With μₛ = μₖ = μ, up to the first landing{followed}.</p>\n'
         '<img alt="outcomes by friction and rate of the start" '
         f'src="{_svg(figure, "Outcomes with more friction")}">\n</div>'
     )
@@ -356,9 +377,9 @@ def _sentence(result: FitResult) -> str:
         )
         words += (
             f"With half as much friction more (μₛ = {more.mu_s:.3g}, μₖ = {more.mu_k:.3g}) and the "
-            f"same start: {_course(then)}. "
+            f"same start: {_course(then)}."
         )
-    return f"{words}In the map μₛ = μₖ = μ, up to the first landing."
+    return words
 
 
 def _svg(figure: Figure, title: str) -> str:
