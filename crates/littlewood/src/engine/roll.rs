@@ -187,6 +187,25 @@ impl OrbitRange {
     }
 
     #[must_use]
+    pub(super) const fn shifted(self, by: f64) -> Self {
+        Self {
+            min: self.min + by,
+            max: self.max + by,
+        }
+    }
+
+    /// Less this part of its ends and of another number at each.
+    #[must_use]
+    pub(super) fn narrowed(self, part: f64, size: f64) -> Self {
+        // The difference of infinities is none.
+        let rounding = |end: f64| part * (end.abs().min(f64::MAX) + size);
+        Self {
+            min: self.min + rounding(self.min),
+            max: self.max - rounding(self.max),
+        }
+    }
+
+    #[must_use]
     pub(super) const fn intersection(self, other: Self) -> Self {
         Self {
             min: self.min.max(other.min),
