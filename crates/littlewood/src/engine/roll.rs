@@ -7,7 +7,7 @@ use crate::math::bracket::Bracket;
 use crate::math::form::{Form, HalfAngle, on_arc};
 use crate::math::trig::Angle;
 use crate::model::{Hoop, SlipDirection};
-use crate::modes::rolling::{HalfAngleOrbit, OrbitPass, ReducedAngle, margin_forms};
+use crate::modes::rolling::{HalfAngleOrbit, OrbitEnergy, OrbitPass, ReducedAngle, margin_forms};
 
 use super::fallback::Fallback;
 
@@ -184,6 +184,25 @@ impl OrbitRange {
     #[inline(always)]
     pub(super) fn contains(&self, constant: f64) -> bool {
         constant > self.min && constant < self.max
+    }
+
+    #[must_use]
+    pub(super) const fn shifted(self, by: f64) -> Self {
+        Self {
+            min: self.min + by,
+            max: self.max + by,
+        }
+    }
+
+    /// Less this part of its ends and of another number at each.
+    #[must_use]
+    pub(super) fn narrowed(self, part: f64, size: f64) -> Self {
+        // The difference of infinities is none.
+        let rounding = |end: f64| part * (end.abs().min(f64::MAX) + size);
+        Self {
+            min: self.min + rounding(self.min),
+            max: self.max - rounding(self.max),
+        }
     }
 
     #[must_use]
@@ -451,55 +470,59 @@ impl RollProblem<'_> {
     /// one sign change, which needs no isolation.
     fn solve_by_tables(&self, tables: &MarginTables) -> Result<RollEnd, Fallback> {
         let mut limit_ahead = self.limit;
-        for OctantArc { octant, arc } in arcs(self.orbit).flat_map(OrbitArc::parts) {
-            // A start on the edge of an octant leaves it at once: the half angle is rounded, and the
-            // margin is zero in the next.
-            if limit_ahead.is_some() && cross(arc.from, arc.to).abs() <= 4.0 * f64::EPSILON {
-                continue;
-            }
-            let limit = limit_ahead.take();
-            let table = tables.get(self.margins, octant);
-            if table.holding.contains(self.orbit_level) {
-                continue;
-            }
-            let is_up = arc.is_up();
-            let known = SlipDirection::ALL.map(|slip| table.margin(slip, self.orbit_level, is_up));
-            let falling = match &known {
-                [falls, holds] if is_only_fall(falls, holds) => {
-                    Some((SlipDirection::Negative, falls))
+        for arc in arcs(self.orbit) {
+            for part in arc.parts() {
+                // A start on the edge of an octant leaves it at once: the half angle is rounded, and
+                // the margin is zero in the next.
+                let OrbitArc { from, to, .. } = part.arc;
+                if limit_ahead.is_some() && cross(from, to).abs() <= 4.0 * f64::EPSILON {
+                    continue;
                 }
-                [holds, falls] if is_only_fall(falls, holds) => {
-                    Some((SlipDirection::Positive, falls))
+                let table = tables.get(self.margins, part.octant);
+                let limit = limit_ahead.take();
+                if !table.holding.contains(self.orbit_level)
+                    && let Some(end) = self.end_on(table, &part, limit)
+                {
+                    return end;
                 }
-                [_, _] => None,
-            };
-            let (begin, end) = (OCTANT_ENDS[octant], OCTANT_ENDS[octant + 1]);
-            let (first, last) = if is_up { (begin, end) } else { (end, begin) };
-            // The margin is positive where the arc begins. If the arc leads to the end of the
-            // octant, the fall lies ahead.
-            if let Some((slip, falls)) = falling
-                && limit.is_none()
-                && arc.to == last
-            {
-                let whole = OrbitArc {
-                    from: first,
-                    to: last,
-                    ..arc
-                };
-                return self.slip(
-                    &whole,
-                    MarginZero {
-                        at: falls.zero(is_up),
-                        slip,
-                    },
-                );
-            }
-            let holds = |slip: SlipDirection| known[slip.index()].signs == MarginSigns::Holds;
-            if let Some(zero) = self.first_zero(&arc, limit, holds) {
-                return self.slip(&arc, zero);
             }
         }
         Ok(RollEnd::Never)
+    }
+
+    /// The slip on the part of an arc in an octant, if there is one.
+    fn end_on(
+        &self,
+        table: &MarginTable,
+        OctantArc { octant, arc }: &OctantArc,
+        limit: Option<SlipDirection>,
+    ) -> Option<Result<RollEnd, Fallback>> {
+        let is_up = arc.is_up();
+        let known = SlipDirection::ALL.map(|slip| table.margin(slip, self.orbit_level, is_up));
+        let falling = match &known {
+            [falls, holds] if is_only_fall(falls, holds) => Some((SlipDirection::Negative, falls)),
+            [holds, falls] if is_only_fall(falls, holds) => Some((SlipDirection::Positive, falls)),
+            [_, _] => None,
+        };
+        let (begin, end) = (OCTANT_ENDS[*octant], OCTANT_ENDS[octant + 1]);
+        let (first, last) = if is_up { (begin, end) } else { (end, begin) };
+        // The margin is positive where the arc begins. If the arc leads to the end of the octant, the
+        // fall lies ahead.
+        if let Some((slip, falls)) = falling
+            && limit.is_none()
+            && arc.to == last
+        {
+            let whole = OrbitArc {
+                from: first,
+                to: last,
+                ..*arc
+            };
+            let at = falls.zero(is_up);
+            return Some(self.slip(&whole, MarginZero { at, slip }));
+        }
+        let holds = |slip: SlipDirection| known[slip.index()].signs == MarginSigns::Holds;
+        let zero = self.first_zero(arc, limit, holds)?;
+        Some(self.slip(arc, zero))
     }
 
     /// The first zero on an arc of the margins that may not hold; `limit` is the one that is zero
@@ -625,35 +648,47 @@ fn newton_pair(form: &[f64; 7], t: f64) -> (f64, f64) {
 
 /// The arcs that lie ahead, until every point of the orbit has been passed.
 fn arcs(orbit: &HalfAngleOrbit) -> impl Iterator<Item = OrbitArc> {
-    let start = [-orbit.start.z, orbit.start.y];
-    let bottom = [0.0, 1.0];
+    (0..4)
+        .filter_map(|number| arc(orbit, number))
+        .filter(|arc| arc.from != arc.to)
+}
+
+/// One of up to four arcs, when it is asked for: most orbits end on the first.
+fn arc(orbit: &HalfAngleOrbit, number: u8) -> Option<OrbitArc> {
+    let (start, bottom) = ([-orbit.start.z, orbit.start.y], [0.0, 1.0]);
     let past_bottom = orbit.start.z >= 0.0;
-    let arc = |from, to, pass| OrbitArc { from, to, pass };
-    // The top, or the turning point.
-    let farthest = if orbit.rotates {
-        [-1.0, 0.0]
-    } else {
+    let turning = || {
+        let OrbitEnergy {
+            beta,
+            separatrix_gap,
+            ..
+        } = orbit.energy;
         [
-            -(orbit.energy.beta / orbit.four_l).sqrt(),
-            (orbit.energy.separatrix_gap / orbit.four_l).sqrt(),
+            -(beta / orbit.four_l).sqrt(),
+            (separatrix_gap / orbit.four_l).sqrt(),
         ]
     };
-    let first = (!past_bottom).then(|| arc(start, bottom, OrbitPass::First));
-    let from = if past_bottom { start } else { bottom };
-    let second = arc(from, farthest, OrbitPass::First);
-    let (third, fourth) = if orbit.rotates {
-        let to = if past_bottom { bottom } else { start };
-        let fourth = past_bottom.then(|| arc(bottom, start, OrbitPass::NextTurn));
-        (arc([1.0, 0.0], to, OrbitPass::NextTurn), fourth)
-    } else {
-        let mirrored = [-farthest[0], farthest[1]];
-        let fourth = Some(arc(bottom, mirrored, OrbitPass::WayBack));
-        (arc(farthest, bottom, OrbitPass::WayBack), fourth)
+    let (from, to, pass) = match (number, orbit.rotates, past_bottom) {
+        (0, _, true) => return None,
+        (0, _, false) => (start, bottom, OrbitPass::First),
+        (1, rotates, _) => {
+            let from = if past_bottom { start } else { bottom };
+            let to = if rotates { [-1.0, 0.0] } else { turning() };
+            (from, to, OrbitPass::First)
+        }
+        (2, true, _) => {
+            let to = if past_bottom { bottom } else { start };
+            ([1.0, 0.0], to, OrbitPass::NextTurn)
+        }
+        (2, false, _) => (turning(), bottom, OrbitPass::WayBack),
+        (_, true, true) => (bottom, start, OrbitPass::NextTurn),
+        (_, true, false) => return None,
+        (_, false, _) => {
+            let [x, y] = turning();
+            (bottom, [-x, y], OrbitPass::WayBack)
+        }
     };
-    [first, Some(second), Some(third), fourth]
-        .into_iter()
-        .flatten()
-        .filter(|arc| arc.from != arc.to)
+    Some(OrbitArc { from, to, pass })
 }
 
 #[cfg(test)]

@@ -415,10 +415,11 @@ impl SolutionTable {
     #[inline(always)]
     pub(super) fn time(&self, u_centre: f64) -> f64 {
         let Nodes { p, h, weight } = &self.nodes;
-        // Side by side, before they are added one by one.
-        let parts: [f64; NODES] =
-            core::array::from_fn(|j| weight[j] / (p[j] + u_centre * h[j]).sqrt());
-        parts.iter().sum()
+        let mut sum = 0.0;
+        for j in 0..NODES {
+            sum += weight[j] / (p[j] + u_centre * h[j]).sqrt();
+        }
+        sum
     }
 
     /// u of a solution at a coordinate.

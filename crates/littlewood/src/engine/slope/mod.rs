@@ -18,7 +18,7 @@ use crate::modes::rolling::MarginSeries;
 
 use super::fallback::Fallback;
 use super::orbit::OrbitPoint;
-use super::roll::{MIN_RATE, RollEnd, RollSlip, RoundedNumber, mirrored_slip};
+use super::roll::{MIN_RATE, OrbitRange, RollEnd, RollSlip, RoundedNumber, mirrored_slip};
 use super::state::EngineState;
 use table::{
     LocalExpansion, MAX_BEND, RollTable, TABLES, WIDTH, energy_variation, rotated,
@@ -46,6 +46,16 @@ const MAX_STEPS: u32 = 12;
 pub(super) struct SlopeTables {
     limits: MarginSeries,
     tables: [OnceLock<Box<RollTable>>; TABLES],
+    turn: OnceLock<WholeTurn>,
+}
+
+/// A whole turn, from the beginning of the first table.
+#[derive(Clone, Debug)]
+struct WholeTurn {
+    /// What G gains over each table.
+    gains: [f64; TABLES],
+    /// The g of orbits that certainly pass all tables.
+    g_range: OrbitRange,
 }
 
 impl SlopeTables {
@@ -53,6 +63,7 @@ impl SlopeTables {
         Self {
             limits: MarginSeries::new(hoop, heading),
             tables: [const { OnceLock::new() }; TABLES],
+            turn: OnceLock::new(),
         }
     }
 
@@ -63,6 +74,30 @@ impl SlopeTables {
     fn table(&self, number: usize) -> &RollTable {
         let number = number % TABLES;
         self.tables[number].get_or_init(|| Box::new(RollTable::new(&self.limits, number)))
+    }
+
+    fn turn(&self) -> &WholeTurn {
+        self.turn.get_or_init(|| WholeTurn::new(self))
+    }
+}
+
+impl WholeTurn {
+    fn new(tables: &SlopeTables) -> Self {
+        let gains = core::array::from_fn(|number| tables.table(number).gain);
+        let (mut gained, mut g_range) = (0.0, OrbitRange::ALL);
+        for (number, gain) in gains.iter().enumerate() {
+            let from_first = tables.table(number).g_range.shifted(-gained);
+            g_range = g_range.intersection(from_first);
+            gained += gain;
+        }
+        // g of an orbit, which adds gain to gain, has as many roundings as there are tables, and so
+        // have the shifts.
+        let gained: f64 = gains.iter().map(|gain| gain.abs()).sum();
+        let part = 2.0 * TABLES as f64 * f64::EPSILON;
+        Self {
+            gains,
+            g_range: g_range.narrowed(part, gained),
+        }
     }
 }
 
@@ -213,6 +248,21 @@ impl<'a> Leg<'a> {
         }
     }
 
+    /// The beginning of the next turn, if the orbit is at the beginning of one that it certainly
+    /// passes.
+    fn next_turn(&self, point: &TablePoint) -> Option<TablePoint> {
+        let tables = point.tables + TABLES;
+        let is_beginning = (self.table + point.tables).is_multiple_of(TABLES);
+        // All tables are there behind the first turn.
+        let may_pass = is_beginning && point.tables >= TABLES && tables <= MAX_TURNS * TABLES;
+        let turn = may_pass.then(|| self.tables.turn())?;
+        turn.g_range.contains(point.g).then(|| TablePoint {
+            tables,
+            at: 0.0,
+            g: turn.gains.iter().fold(point.g, |g, gain| g + gain),
+        })
+    }
+
     /// The beginning of the next table.
     fn next(point: &TablePoint, table: &RollTable) -> TablePoint {
         TablePoint {
@@ -302,6 +352,10 @@ impl<'a> Leg<'a> {
         }
         let mut point = beginning;
         while point.tables <= MAX_TURNS * TABLES {
+            if let Some(next) = self.next_turn(&point) {
+                point = next;
+                continue;
+            }
             let table = self.table_of(&point);
             let starts_at_zero = self.past_turn.is_some() && point.tables == 0;
             // Most orbits certainly roll over a table.
@@ -682,6 +736,31 @@ mod tests {
                 .with_slope(slope),
         )
         .unwrap()
+    }
+
+    /// An orbit that passes a whole turn passes each of its tables, also at the ends of the range.
+    #[test]
+    fn a_whole_turn_is_passed_table_by_table() {
+        let mut passed = 0;
+        for slope in [0.001, -0.003, 0.02] {
+            let tables = SlopeTables::new(&figure_2(slope), 1.0);
+            let WholeTurn { gains, g_range } = tables.turn();
+            let between = (0..400).map(|k| 0.1 * f64::from(k));
+            for start in between.chain([g_range.min.next_up(), g_range.max.next_down()]) {
+                if !g_range.contains(start) {
+                    continue;
+                }
+                let mut g = start;
+                for (number, gain) in gains.iter().enumerate() {
+                    let table = tables.table(number);
+                    assert!(table.g_range.contains(g), "{slope} {start}: {number}");
+                    assert_eq!(table.gain, *gain);
+                    g += gain;
+                }
+                passed += 1;
+            }
+        }
+        assert!(passed > 100, "{passed}");
     }
 
     /// Compares with the solver of the simulation, before the slip and at it.
