@@ -22,7 +22,8 @@ Its authors advise MJX instead since 2025, and keep the pipelines. All steps of 
 program, as with MJX.
 spring: impulses with restitution and friction; positional: position-based dynamics; generalized:
 constraints in joint coordinates. All as they come, but for the time step.
-Cannot express: mu_s and mu_k (one coefficient). Restitution is refused here, as the three mean
+Cannot express: mu_s and mu_k (one coefficient); rolling friction, as its contacts know the first of
+MuJoCo's coefficients only. Restitution is refused here, as the three mean
 other things by it. Derivatives are those of JAX in forward mode, through all steps.
 """
 
@@ -61,24 +62,37 @@ def run_of(case, step, setting):
     none = jnp.zeros(system.act_size())
 
     def begin(coordinates, rates, friction):
-        rubbing = system.replace(geom_friction=system.geom_friction.at[:, 0].set(friction))
+        both = jnp.array([case.friction_of_plane(friction), friction])
+        rubbing = system.replace(geom_friction=system.geom_friction.at[:, 0].set(both))
         return pipeline.init(rubbing, coordinates, rates), lambda state: pipeline.step(
             rubbing, state, none
         )
 
     start = [0.0, 0.0, case.theta], [case.x_rate, case.gap_rate, case.theta_rate]
-    return Run(case, step, start, begin, lambda state: (state.q, state.qd))
+
+    def motion_of(state):
+        # The two others report no force.
+        push = (state.qf_constraint[1],) if setting == "generalized" else ()
+        return state.q, state.qd, *push
+
+    return Run(case, step, start, begin, motion_of)
 
 
 def simulate(case, step, setting):
     """Yield rows."""
     rows = run_of(case, step, setting).ready()
-    yield 0.0, 0.0, case.radius, case.theta, case.x_rate, case.gap_rate, case.theta_rate
     turns = case.theta
-    for time, ((x, height, theta), rates) in rows():
+
+    def row(time, x, height, rates, *push):
+        there = time, x, case.radius + height, turns, *rates
+        return case.forced(there, lambda: push[0]) if push else there
+
+    pushed = [0.0] if setting == "generalized" else []
+    yield row(0.0, 0.0, 0.0, (case.x_rate, case.gap_rate, case.theta_rate), *pushed)
+    for time, ((x, height, theta), rates, *pushed) in rows():
         # Two of the pipelines know an angle up to whole turns.
         turns += math.remainder(theta - turns, math.tau)
-        yield time, x, case.radius + height, turns, *rates
+        yield row(time, x, height, rates, *pushed)
 
 
 if __name__ == "__main__":

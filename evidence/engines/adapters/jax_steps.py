@@ -26,7 +26,7 @@ class Run:
     """A run from coordinates and rates (x, y, theta) at the start.
 
     `begin(coordinates, rates, friction)` returns a state and what makes the next one of it,
-    `motion_of(state)` coordinates and rates of a row.
+    `motion_of(state)` coordinates and rates of a row, and what else the adapter has in one.
     """
 
     def __init__(self, case, step, start, begin, motion_of):
@@ -50,8 +50,8 @@ class Run:
         program = jax.jit(self.record).lower(*self.start).compile()
 
         def rows():
-            coordinates, rates = (column.tolist() for column in program(*self.start))
-            return zip(self.times, zip(coordinates, rates, strict=True), strict=True)
+            columns = (column.tolist() for column in program(*self.start))
+            return zip(self.times, zip(*columns, strict=True), strict=True)
 
         return rows
 
@@ -63,6 +63,6 @@ class Run:
             jax.jit(lambda *at: jax.jvp(self.record, at, tangents)[1]).lower(*self.start).compile()
         )
         yield 0.0, 0.0, 0.0
-        coordinates, _ = ready(*self.start)
+        coordinates, *_ = ready(*self.start)
         for time, (x, _, theta) in zip(self.times, coordinates.tolist(), strict=True):
             yield time, x, theta

@@ -35,15 +35,12 @@ def simulate(case, step, setting):
         there, here = mujoco_warp.put_model(model), mujoco_warp.put_data(model, data)
         # The kernels are translated before the first row.
         mujoco_warp.step(there, mujoco_warp.put_data(model, data))
-        rows = stepped(
-            case,
-            step,
-            lambda: mujoco_warp.step(there, here),
-            lambda time: row_of(
-                case, time, here.qpos.numpy()[0].tolist(), here.qvel.numpy()[0].tolist()
-            ),
-        )
-        yield from rows
+
+        def row(time):
+            columns = (one.numpy()[0].tolist() for one in (here.qpos, here.qvel))
+            return row_of(case, time, *columns, float(here.qfrc_constraint.numpy()[0, 1]))
+
+        yield from stepped(case, step, lambda: mujoco_warp.step(there, here), row)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ all steps.
 Cannot express: mu_s and mu_k (one coefficient); a coefficient of restitution. See there.
 """
 
+import jax.numpy as jnp
 from adapter import main
 from jax_steps import Run
 from mujoco import mjx
@@ -31,17 +32,21 @@ def run_of(case, step, setting):
     model = mjx.put_model(model_of(case, step, setting))
 
     def begin(coordinates, rates, friction):
-        rubbing = model.replace(geom_friction=model.geom_friction.at[:, 0].set(friction))
+        both = jnp.array([case.friction_of_plane(friction), friction])
+        rubbing = model.replace(geom_friction=model.geom_friction.at[:, 0].set(both))
         first = mjx.make_data(rubbing).replace(qpos=coordinates, qvel=rates)
         return first, lambda data: mjx.step(rubbing, data)
 
-    return Run(case, step, start_of(case), begin, lambda data: (data.qpos, data.qvel))
+    def motion_of(data):
+        return data.qpos, data.qvel, data.qfrc_constraint[1]
+
+    return Run(case, step, start_of(case), begin, motion_of)
 
 
 def simulate(case, step, setting):
     """Yield rows."""
     rows = run_of(case, step, setting).ready()
-    yield row_of(case, 0.0, *start_of(case))
+    yield row_of(case, 0.0, *start_of(case), 0.0)
     for time, at in rows():
         yield row_of(case, time, *at)
 

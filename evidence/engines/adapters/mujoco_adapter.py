@@ -79,10 +79,10 @@ def start_of(case):
     return (0.0, 0.0, case.theta), (case.x_rate, case.gap_rate, case.theta_rate)
 
 
-def row_of(case, time, coordinates, rates):
-    """A row of the record."""
+def row_of(case, time, coordinates, rates, push):
+    """A row of the record; what the constraints push the second slide with is the normal force."""
     x, height, theta = coordinates
-    return time, x, case.radius + height, theta, *rates
+    return case.forced((time, x, case.radius + height, theta, *rates), lambda: push)
 
 
 def simulate(case, step, setting):
@@ -92,9 +92,7 @@ def simulate(case, step, setting):
     data.qpos[:], data.qvel[:] = start_of(case)
 
     def row(time):
-        # What the constraints push the second slide with is the normal force.
-        there = row_of(case, time, data.qpos, data.qvel)
-        return case.forced(there, lambda: data.qfrc_constraint[1])
+        return row_of(case, time, data.qpos, data.qvel, data.qfrc_constraint[1])
 
     yield from stepped(case, step, lambda: mujoco.mj_step(model, data), row)
 
