@@ -6,14 +6,17 @@ import csv
 import functools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from statistics import NormalDist
 from typing import TYPE_CHECKING
 
 import littlewood as lw
 import numpy as np
 import numpy.typing as npt
+from littlewood.fitting.diagnostics import _LOUD
 from littlewood.fitting.fall import Fall, fall_of
 from littlewood.plot.sheet import panels
 
+from .film.clocks import OFF, RATES
 from .film.command import ALL, FITS, KINDS, filmed, random_motions
 from .film.resistance import resistance_rows
 from .film.throws import FREE, throw
@@ -24,15 +27,12 @@ from .study import PAGES, Study
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-RATES = (24.0, 30.0, 60.0, 120.0, 240.0)
 TRACKS = 1000
 SEED = 6
 """No track of this seed was seen before the limits were set."""
 THROWS = 50
 NAMED = 0.01
 """From which probability on a sequence is named."""
-OFF = 0.04
-"""By which part a clock is wrong."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -139,6 +139,56 @@ def named() -> str:
     """How many of all throws with a wrong clock are named."""
     found = sum(one.wrong is not None and one.wrong.is_wrong for one in throws())
     return f"{found} of {len(throws())}"
+
+
+def least_told() -> float:
+    """Return how many standard errors of its clock a track needs, so that 95 % of such are named.
+
+    Any test that doubts one good track in 300 of twenty tests needs so many.
+    """
+    return _LOUD + NormalDist().inv_cdf(0.95)
+
+
+@functools.cache
+def fitted_clocks() -> list[dict[str, str]]:
+    """Return the lines of the table of throws with a wrong clock that were fitted."""
+    with (PAGES / "measured-data" / "clocks.csv").open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def is_named(row: dict[str, str]) -> bool:
+    """Whether the clock is named, by the flights before the fit or by the fit."""
+    return row["by_flights"] == "1" or "clock" in row["named"].split()
+
+
+def of_fitted_clocks() -> list[str]:
+    """Throws with a wrong clock, by what the whole track can tell."""
+    lines = []
+    for words, tells in (("can tell", True), ("cannot tell", False)):
+        rows = [
+            row
+            for row in fitted_clocks()
+            if (OFF / float(row["clock_error"]) >= least_told()) == tells
+        ]
+        by_flights = sum(row["by_flights"] == "1" for row in rows)
+        alone = sum(row["named"] == "clock" for row in rows)
+        lines.append(
+            [
+                words,
+                str(len(rows)),
+                str(by_flights),
+                str(alone),
+                share(sum(map(is_named, rows)), len(rows)),
+            ]
+        )
+    heads = ["the track", "throws", "named by flights", "by the fit, alone", "named"]
+    return table(heads, lines)
+
+
+def clocks_named() -> str:
+    """How many of the fitted throws with a wrong clock are named."""
+    rows = fitted_clocks()
+    return f"{sum(map(is_named, rows))} of {len(rows)}"
 
 
 @functools.cache
@@ -266,6 +316,9 @@ STUDY = Study(
         "rates": of_rates,
         "clocks": of_wrong_clocks,
         "named": named,
+        "least": lambda: f"{least_told():.1f}",
+        "fitted clocks": of_fitted_clocks,
+        "clocks named": clocks_named,
         "coverage": coverage,
         "68": lambda: within(0.994),
         "95": lambda: within(1.96),

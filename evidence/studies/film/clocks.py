@@ -44,14 +44,16 @@ HEAD = (
 def told(track: lw.Track, motion: lw.Trajectory) -> float:
     """Return how well a track tells its clock: the standard error where all else is estimated."""
     start = motion.start
-    result = lw.fit(
-        track,
-        motion.hoop,
-        free=FREE,
-        slips_at_start=start.slip != 0.0,
-        start={name: getattr(start, name) for name in ("theta", "theta_rate", "slip", "x")},
-        search=False,
-    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.fitting.FitWarning)
+        result = lw.fit(
+            track,
+            motion.hoop,
+            free=FREE,
+            slips_at_start=start.slip != 0.0,
+            start={name: getattr(start, name) for name in ("theta", "theta_rate", "slip", "x")},
+            search=False,
+        )
     freed = result._problem.freed("clock")
     values = result._problem.values(result._unknowns)
     best = freed.refine(freed.unknowns_of(values), "linear")

@@ -8,11 +8,22 @@ import math
 import numpy as np
 import pytest
 
-from evidence.studies.film import command
+from evidence.studies.film import clocks, command
+from evidence.studies.film.clocks import OFF
 from evidence.studies.film.command import ALL, FITS, KINDS, GoodTrack, filmed, is_of, random_motions
 from evidence.studies.film.resistance import HEAD, lines_of, resistance_rows
 from evidence.studies.film.throws import FREE
-from evidence.studies.measured_data import NAMED, WRONG, fits, pulls, strong, worst
+from evidence.studies.measured_data import (
+    NAMED,
+    WRONG,
+    fits,
+    fitted_clocks,
+    is_named,
+    least_told,
+    pulls,
+    strong,
+    worst,
+)
 from evidence.studies.study import PAGES
 
 ROWS = resistance_rows(PAGES / "measured-data")
@@ -97,3 +108,16 @@ def test_sequences_that_were_missed(kind, number):
     track = filmed(motion, rate, noise_m, random.choice([0.004, 0.008]), random)
     one = GoodTrack(motion=motion, track=track, rate=rate, noise_m=noise_m)
     assert command.fitted(one, FREE).motion.sequence == motion.sequence
+
+
+def test_a_clock_that_is_off_is_named_where_the_track_can_tell():
+    rows = [row for row in fitted_clocks() if OFF / float(row["clock_error"]) >= least_told()]
+    assert sum(map(is_named, rows)) >= 0.95 * len(rows)
+    # Flights name it before the long work.
+    row = next(row for row in rows if row["by_flights"] == "1")
+    made = dict(zip(clocks.HEAD, clocks.line_of(int(row["throw"])), strict=True))
+    assert {name: made[name] for name in ("factor", "by_flights", "doubts", "named")} == {
+        name: row[name] for name in ("factor", "by_flights", "doubts", "named")
+    }
+    assert float(made["gravity"]) == pytest.approx(float(row["gravity"]), rel=1e-3)
+    assert float(made["clock_error"]) == pytest.approx(float(row["clock_error"]), rel=0.1)

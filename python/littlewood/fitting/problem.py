@@ -50,6 +50,8 @@ _HELD = {"mu_k": (0.0, math.inf), "inertia": (LEAST_INERTIA, math.inf), "restitu
 _HELD[_EXPOSURE] = (0.0, math.inf)
 _HELD |= {"slope": (-_STEEPEST, _STEEPEST), "mass_ratio": (0.0, math.inf), "offset": (0.0, 1.0)}
 _HELD["rolling_resistance"] = (0.0, _LARGEST_RESISTANCE)
+# Times that stand still, or run backwards, are no film.
+_HELD[CLOCK] = (-0.5, 1.0)
 # Part of a value, or of 1, by which differences for derivatives go to either side.
 _STEP = 6e-6
 # An imaginary step: what a camera shows has no difference that could be rounded.
@@ -214,7 +216,7 @@ class Problem:
             _SLIP: (-_FASTEST, _FASTEST),
             _EXPOSURE: (0.0, self._longest),
         }
-        within |= {name: _HELD[name] for name in _MEASURED}
+        within |= {name: _HELD[name] for name in (*_MEASURED, CLOCK)}
         pairs = [within.get(name, (-math.inf, math.inf)) for name in self.names]
         return [low for low, _ in pairs], [high for _, high in pairs]
 
