@@ -502,8 +502,14 @@ class Trajectory:
         """
         return derivatives.at_times(self._core, times, quantities)
 
-    def plot(self) -> Figure:
-        """Draw the path in the plane and θ, θ′, η′ and the forces over time.
+    def plot(self, *, width_mm: float | None = None) -> Figure:
+        """Draw the path in the plane and what changes over time: θ, θ′, η′, forces, gap.
+
+        Parameters
+        ----------
+        width_mm : float, optional
+            Width in print, where the letters of ticks have 7 points; by default the figure is for a
+            screen.
 
         Returns
         -------
@@ -516,7 +522,7 @@ class Trajectory:
         """
         from . import plot
 
-        return plot.trajectory(self)
+        return plot.trajectory(self, width_mm=width_mm)
 
     def animate(self, *, frames: int = 150, seconds: float | None = None) -> Animation:
         """Animate the motion; a notebook shows it with buttons to play and step.

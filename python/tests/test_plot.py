@@ -1,6 +1,7 @@
 import dataclasses
 import io
 import math
+import random
 import re
 from pathlib import Path
 from xml.etree import ElementTree
@@ -12,15 +13,19 @@ import pytest
 import xarray
 from fontTools.pens.boundsPen import ControlBoundsPen
 from fontTools.ttLib import TTFont
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import to_hex
 from PIL import Image
 
 import littlewood as lw
 from littlewood import _core, plot
+from littlewood.plot.canvas import PictureError
 from littlewood.plot.sheet import Sheet, listed, panels, power, svg
-from littlewood.style import BOLD, CLASS_COLOURS, CURVE, CURVE_COLOURS, FINE, MODE_COLOURS
+from littlewood.style import BOLD, CLASS_COLOURS, CURVE, CURVE_COLOURS, FINE, INK, MODE_COLOURS
 from littlewood.tables import AXES, CAUSE_LABELS, CLASS_LABELS, MODE_CODES, OUTCOMES
+
+CODE_OF = {name: code for code, name in OUTCOMES.items()}
 
 
 @pytest.fixture
@@ -30,20 +35,144 @@ def motion():
 
 def test_a_motion_is_drawn_in_the_colours_of_its_modes(motion):
     figure = motion.plot()
-    path, angle, _, forces = figure.axes
+    path, *panels = figure.axes
     colours = {to_hex(line.get_color()) for line in path.get_lines()}
     assert {MODE_COLOURS[name] for name in ("rolling", "sliding", "flight")} <= colours
     assert MODE_COLOURS["gliding"] not in colours
     labels = [text.get_text() for text in path.get_legend().get_texts()]
-    assert labels == ["sliding", "rolling", "flight"]
+    assert labels == ["rolling", "sliding", "flight", "mass centre", "centre *C*"]
     # Equal scales: a hoop is round.
     assert path.get_aspect() == 1.0
     words = {text.get_text() for text in path.texts}
-    assert {"start", "stick", "slip", "lift-off", "landing"} <= words
-    assert angle.get_xlabel() == "*τ*  (√(*R*/*g*))"
-    assert {text.get_text() for text in forces.texts} == {"*N*", "*F*"}
+    assert words == {"start", "stick", "slip", "lift-off", "landing"}
+    assert panels[-1].get_xlabel() == "*τ*  (√(*R*/*g*))"
+    assert [axes.get_ylabel() for axes in panels] == [
+        "*θ*  (rad)",
+        "*θ*′  (√(*g*/*R*))",
+        "*η*′  (√(*gR*))",
+        "*N*  (*m*_{2}*g*)",
+        "*F*  (*m*_{2}*g*)",
+        "gap  (*R*)",
+    ]
     # The figure belongs to the caller: nothing is left open.
     assert plt.get_fignums() == []
+
+
+def seen_texts(figure, renderer):
+    """All texts that are seen, with their boxes and what they belong to."""
+    for axes in [None, *figure.axes]:
+        if axes is None:
+            own = list(figure.texts)
+        else:
+            own = [*axes.texts, axes.xaxis.label, axes.yaxis.label, axes._left_title]
+            own += [*axes.get_xticklabels(), *axes.get_yticklabels()]
+            own += axes.get_legend().get_texts() if axes.get_legend() else []
+        for text in own:
+            if text.get_visible() and text.get_text().strip():
+                yield axes, text, text.get_window_extent(renderer).padded(-0.5)
+
+
+def runs_in(axes, box):
+    """Points of the lines of an axes in pixels, within a box."""
+    for line in axes.get_lines():
+        if len(np.atleast_1d(line.get_xdata())) > 2:
+            points = line.get_transform().transform(np.ma.filled(line.get_xydata(), np.nan))
+            inside = (points > box.p0).all(axis=1) & (points < box.p1).all(axis=1)
+            yield line, points[inside]
+
+
+def faults_of(figure):
+    """What a reader would stumble over."""
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    texts = list(seen_texts(figure, canvas.renderer))
+    for k, (axes, text, box) in enumerate(texts):
+        said = text.get_text()
+        if not figure.bbox.padded(1.0).containsx(box.x0 + 1) or not (
+            figure.bbox.x0 <= box.x0
+            and box.x1 <= figure.bbox.x1
+            and figure.bbox.y0 <= box.y0
+            and box.y1 <= figure.bbox.y1
+        ):
+            yield f"{said!r} is outside"
+        for _, other, place in texts[:k]:
+            if box.overlaps(place):
+                yield f"{said!r} over {other.get_text()!r}"
+        if axes is not None and text in axes.texts and axes.bbox.fully_overlaps(box):
+            for _, points in runs_in(axes, box):
+                if len(points):
+                    yield f"{said!r} over a line"
+    drawn = set()
+    for axes in figure.axes:
+        spans = [np.ptp(points, axis=0) for _, points in runs_in(axes, axes.bbox) if len(points)]
+        if not axes.patches and not any(np.max(span) > 1.0 for span in spans):
+            yield f"{axes.get_ylabel()}: no ink"
+        lines = [(line, points) for line, points in runs_in(axes, axes.bbox) if len(points) > 1]
+        drawn |= {to_hex(one.get_color()) for one, at in lines if np.max(np.ptp(at, axis=0)) > 0.5}
+        drawn |= {to_hex(patch.get_facecolor()) for patch in axes.patches}
+        if axes is not figure.axes[0]:
+            low, high = axes.get_ylim()
+            values = [line.get_ydata() for line in axes.get_lines() if line.get_marker() == "None"]
+            values = [one for one in values if len(one) > 2]
+            beyond = any(np.nanmax(one) > high or np.nanmin(one) < low for one in values)
+            if beyond and not any("goes" in text.get_text() for text in axes.texts):
+                yield f"{axes.get_ylabel()}: cut without a word"
+    legend = figure.axes[0].get_legend()
+    for line in legend.get_lines() if legend else []:
+        if to_hex(line.get_color()) not in drawn | {INK}:
+            yield f"{line.get_label()} is in the key alone"
+
+
+def drawn_motion(kind, rng):
+    """A random motion of a kind: hoops far from home."""
+    mass, mu_s = 10 ** rng.uniform(-0.7, 0.7), 10 ** rng.uniform(-1.5, 0.5)
+    hoop = {"mass_ratio": mass, "offset": rng.uniform(0.2, 1.0), "mu_s": mu_s}
+    hoop |= {"inertia": mass * rng.uniform(0.5, 1.0), "mu_k": mu_s * rng.uniform(0.4, 1.0)}
+    start = {"theta": rng.uniform(-math.pi, math.pi), "theta_rate": rng.uniform(-3.0, 3.0)}
+    until = 20.0
+    match kind:
+        case "light" | "heavy":
+            hoop["mass_ratio"] = hoop["inertia"] = 10 ** (-4.0 if kind == "light" else 4.0)
+        case "massless":
+            hoop |= {"mass_ratio": 0.0, "inertia": 0.0, "offset": 1.0}
+        case "slope":
+            hoop["slope"] = rng.uniform(-0.7, 0.7)
+        case "resisted":
+            hoop["rolling_resistance"] = 10 ** rng.uniform(-3.0, -0.7)
+            until = None
+        case "bounces":
+            hoop["restitution"] = rng.uniform(0.2, 0.95)
+        case "long":
+            hoop |= {"mu_s": 0.01, "mu_k": 0.008}
+            start |= {"theta_rate": 8.0, "slip": 2.0}
+            until = 500.0
+        case "rests":
+            hoop["rolling_resistance"] = 0.3
+            start = {"theta": math.pi, "theta_rate": 0.0}
+        case "ends":
+            hoop |= {"mass_ratio": 0.0, "inertia": 0.0, "offset": 1.0}
+            start = {"theta": 0.0, "theta_rate": 1.0}
+        case "thrown":
+            start["gap_rate"] = rng.uniform(0.5, 9.0)
+        case "si":
+            of = {"disc_mass_kg": 0.2, "particle_mass_kg": 0.1, "radius_m": 0.3, "offset_m": 0.28}
+            si = lw.Hoop.from_si(**of, inertia_kg_m2=0.015, mu_s=0.4, mu_k=0.3, restitution=0.5)
+            return si.simulate(**start, until=until)
+    return lw.Hoop(**hoop).simulate(**start, until=until)
+
+
+KINDS = ("usual", "light", "heavy", "massless", "slope", "resisted", "bounces", "long", "rests")
+
+
+@pytest.mark.parametrize("kind", [*KINDS, "ends", "thrown", "si"])
+def test_a_picture_of_any_motion_can_be_read(kind):
+    rng = random.Random(kind)
+    for width_mm in (84.0, 160.0, None):
+        motion = drawn_motion(kind, rng)
+        figure = motion.plot(width_mm=width_mm)
+        assert list(faults_of(figure)) == [], (width_mm, repr(motion))
+    with pytest.raises(PictureError, match="60 to 420 mm wide, not 20"):
+        motion.plot(width_mm=20.0)
 
 
 def test_angles_have_ticks_at_multiples_of_pi(motion):
@@ -232,11 +361,57 @@ def test_a_line_that_is_cut_is_marked(case, changes, quantities):
     ]
     # The farthest value, and no mark where nothing is cut.
     number = "∞" if math.isinf(values[at]) else f"{values[at]:.4g}"
-    assert number in [text.get_text() for text in axes.texts]
+    (note,) = axes.texts
+    assert note.get_text().endswith(f"up to {number}")
     is_below = any(np.any(samples[name] < low) for name in quantities)
-    assert is_below == any(line.get_marker() == 7 for line in marks)
+    assert is_below == any(line.get_marker() == 7 for line in marks) == ("down" in note.get_text())
     whole = plot.history(motion, quantities=("theta",))
     assert not any(line.get_marker() in (6, 7) for line in whole.get_lines())
+
+
+def test_what_a_line_cannot_show_is_shaded():
+    hoop = lw.Hoop(mass_ratio=1, offset=0.5, inertia=1, mu_s=9, mu_k=9, rolling_resistance=1e-3)
+    motion = hoop.simulate(theta=2.0, theta_rate=0.0)
+    axes = plt.figure(figsize=(1.2, 2.0)).add_subplot()
+    plot.history(motion, axes, quantities=("theta_rate",), count=20_001)
+    plt.close("all")
+    assert [text.get_text() for text in axes.texts] == ["shaded from least to greatest"]
+    # The shade has the extremes of another sample, in the colours of the modes.
+    rates = motion.sample(30_001).theta_rate
+    tops = [patch.get_y() + patch.get_height() for patch in axes.patches]
+    assert max(tops) == pytest.approx(rates.max(), abs=0.01)
+    assert min(patch.get_y() for patch in axes.patches) == pytest.approx(rates.min(), abs=0.01)
+    assert MODE_COLOURS["rolling"] in {to_hex(patch.get_facecolor()) for patch in axes.patches}
+    assert not [
+        line for line in axes.get_lines() if to_hex(line.get_color()) in MODE_COLOURS.values()
+    ]
+
+
+def test_where_outcomes_change_more_finely_than_a_map_there_is_one_tint():
+    codes = np.where(
+        np.random.default_rng(8).random((60, 80)) < 0.5,
+        CODE_OF["rolls_forever"],
+        CODE_OF["time_limit"],
+    )
+    codes[:, 40:] = CODE_OF["rolls_forever"]
+    dataset = summaries(codes.ravel()).assign_coords(start=np.arange(codes.size))
+    dataset = dataset.assign_coords(
+        y=("start", np.repeat(np.arange(60), 80)), x=("start", np.tile(np.arange(80), 60))
+    )
+    dataset = dataset.set_index(start=("y", "x")).unstack("start")
+    axes = plot.outcomes(dataset, x="x")
+    (mesh,) = axes.collections
+    drawn = np.asarray(mesh.get_array()).reshape(60, 80)
+    mixed = drawn == len(lw.tables.CLASSES)
+    assert mixed[3:-3, 3:36].mean() > 0.99 and not mixed[:, 44:].any()
+    words = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert words[-1].startswith("mixed more finely\nthan drawn\n")
+    assert float(words[-1].split("\n")[-1].removesuffix(" %")) == pytest.approx(
+        100.0 * mixed.mean(), abs=0.06
+    )
+    # Too few motions tell nothing.
+    few = plot.outcomes(dataset.isel(y=slice(0, 20)), x="x").collections[0].get_array()
+    assert np.max(few) < len(lw.tables.CLASSES)
 
 
 def test_axes_of_ones_own(motion):
@@ -361,7 +536,7 @@ def test_a_picture_of_every_case_shows_its_phases(name):
         assert axes.get_title(loc="left") == f"no phase: {motion.outcome.label}"
         assert axes.patches
         return
-    path, angle, rates, last = figure.axes
+    path, *panels = figure.axes
     shown = [phase for phase in motion.phases if phase.start_time <= motion.shown_until]
     modes = sorted({phase.mode for phase in shown}, key=MODE_CODES.__getitem__)
     # The path: a line of the mass centre for each phase, all of it, and every mode in the legend.
@@ -376,23 +551,24 @@ def test_a_picture_of_every_case_shows_its_phases(name):
         sin, cos = math.sin(motion.hoop.slope), math.cos(motion.hoop.slope)
         start = x[0] * cos + y[0] * sin, y[0] * cos - x[0] * sin
         assert start == pytest.approx((first.mass_centre_x, first.mass_centre_y), abs=1e-12)
-    labels = [text.get_text() for text in path.get_legend().get_texts()]
-    assert sorted(labels, key=MODE_CODES.__getitem__) == modes
+    # The key has the modes that can be seen; a hoop at rest has no path.
+    legend = path.get_legend()
+    labels = [text.get_text() for text in legend.get_texts()] if legend else []
+    named = [label for label in labels if label in MODE_COLOURS]
+    assert set(named) <= set(modes) and (named or modes == ["rest"])
     # What marks the hoops along the path: the start, and causes in their words.
     words = [text.get_text() for text in path.texts]
     assert words[0] == "start"
     assert set(words[1:]) <= {CAUSE_LABELS[transition.cause] for transition in motion.transitions}
     if motion.transitions:
         assert len(words) > 1
-    # The histories: a line for each phase and quantity.
-    # Bounces alone have no force that lasts: they show the gap.
-    gap = modes == ["flight"] and any(one.impact is not None for one in motion.transitions)
-    assert last.get_ylabel().startswith("gap" if gap else _core.unicode("*N*"))
-    for axes, count in ((angle, 1), (rates, 2), (last, 1 if gap else 2)):
+    # The histories: a line for each phase, of what changes.
+    for axes in panels:
         assert modes_drawn(axes, CURVE) == modes
         lines = [line for line in axes.get_lines() if line.get_linewidth() == CURVE]
-        assert len(lines) == count * len(shown)
-        assert all(np.isfinite(line.get_ydata()).any() for line in lines)
+        assert len(lines) == len(shown)
+        assert any(np.isfinite(line.get_ydata()).any() for line in lines)
+        assert np.ptp(np.concatenate([line.get_ydata() for line in lines])) != 0.0
 
 
 def check_motion_over_plane(axes, motion):

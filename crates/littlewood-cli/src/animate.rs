@@ -2,6 +2,7 @@
 
 use std::ffi::OsStr;
 use std::io::{self, Write};
+use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use littlewood::Trajectory;
@@ -21,55 +22,115 @@ use crate::request::Request;
 const SLOW: f64 = 3.0;
 const SLOW_SI: f64 = 10.0;
 
+/// What is written.
+#[derive(Clone, Copy)]
+enum Format {
+    /// Needs no other program.
+    Gif,
+    Video(Video),
+    /// One frame.
+    Still,
+}
+
+/// Sizes of a film of a motion, and of two.
+const SIZE: (u32, u32) = (640, 360);
+const SIZE_OF_TWO: (u32, u32) = (640, 600);
+
 /// Runs the command.
 pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
-    let AnimateArgs {
-        problem,
-        run,
-        out,
-        slow,
-        fps,
-        size: (width, height),
-        camera,
-        hold,
-        with,
-    } = args;
-    // None for a GIF, which needs no other program.
-    let video = by_ending(
-        &out,
+    let format = by_ending(
+        &args.out,
         "the film",
         &[
-            ("gif", None),
-            ("mp4", Some(Video::Mp4)),
-            ("webm", Some(Video::WebM)),
+            ("gif", Format::Gif),
+            ("mp4", Format::Video(Video::Mp4)),
+            ("webm", Format::Video(Video::WebM)),
+            ("png", Format::Still),
         ],
     )?;
-    let size = FrameSize::new(width, height).map_err(|error| Error::Film(error.into()))?;
-    let problem = Problem::resolve(Request::new(&problem, Some(&run))?)?;
-    let units = problem.units;
-    let slow = slow.unwrap_or(if units.is_some() { SLOW_SI } else { SLOW });
-    let trajectory = problem.simulate()?;
-    let pace = Pace {
-        fps,
-        slow,
-        units,
-        hold_s: hold,
+    let usual = if args.beside.is_some() {
+        SIZE_OF_TWO
+    } else {
+        SIZE
     };
-    let film = Film::new(&trajectory, &pace, size, camera).map_err(Error::Film)?;
-    let film = match with {
+    let (width, height) = args.size.unwrap_or(usual);
+    let size = FrameSize::new(width, height).map_err(|error| Error::Film(error.into()))?;
+    let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
+    let units = problem.units;
+    let trajectory = problem.simulate()?;
+    let other = args
+        .beside
+        .as_deref()
+        .map(|name| beside(name, &args))
+        .transpose()?;
+    let usual = if units.is_some() { SLOW_SI } else { SLOW };
+    let pace = |units| Pace {
+        fps: args.fps,
+        slow: args.slow.unwrap_or(usual),
+        units,
+        hold_s: args.hold,
+    };
+    let film_of = |motion, units| Film::new(motion, &pace(units), size, args.camera);
+    let film = film_of(&trajectory, units).and_then(|film| match &other {
+        None => Ok(film),
+        // A motion without units has those of the first.
+        Some(other) => film.over(
+            film_of(&other.trajectory, other.units.or(units))?,
+            [
+                &name_of(&problem, args.problem.scenario.as_deref()),
+                &other.name,
+            ],
+        ),
+    });
+    let film = film.map_err(Error::Film)?;
+    let film = match args.with {
         None => film,
         Some(pane) => film.with_pane(pane),
     };
-    let output = Output::open(Some(&out))?;
-    let made = match video {
-        None => write(output, |writer| {
+    let output = Output::open(Some(&args.out))?;
+    let made = match format {
+        Format::Gif => write(output, |writer| {
             let mut encoder = GifFilm::new(writer, &film)?;
             play(&film, &mut encoder, &Progress::new())?;
             encoder.finish().map(drop)
         }),
-        Some(video) => write_with_ffmpeg(output, &film, video),
+        Format::Video(video) => write_with_ffmpeg(output, &film, video),
+        Format::Still => {
+            return write(output, |writer| {
+                Ok(writer.write_all(&film.png(film.telling())?)?)
+            });
+        }
     };
     made.and_then(|()| say_what_is_shown(&film, &trajectory, units.as_ref()))
+}
+
+/// A motion that runs beside another.
+struct Other {
+    name: String,
+    trajectory: Trajectory,
+    units: Option<Units>,
+}
+
+fn beside(name: &str, args: &AnimateArgs) -> Result<Other, Error> {
+    let problem = Problem::resolve(Request::named(name, &args.run)?)?;
+    Ok(Other {
+        name: name_of(&problem, Some(Path::new(name))),
+        trajectory: problem.simulate()?,
+        units: problem.units,
+    })
+}
+
+/// What a motion is called: by its case, and whether it differs from that, or by its file.
+fn name_of(problem: &Problem, file: Option<&Path>) -> String {
+    let changes = &problem.changes;
+    match (problem.case, file.and_then(Path::file_stem)) {
+        (Some(case), _) if changes.replaced.is_empty() && changes.added.is_empty() => {
+            case.name.to_owned()
+        }
+        (Some(case), _) => format!("{}, changed", case.name),
+        (None, Some(stem)) => stem.to_string_lossy().into_owned(),
+        (None, None) => "as given".to_owned(),
+    }
 }
 
 /// Says up to when a motion without end is shown.

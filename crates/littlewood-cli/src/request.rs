@@ -56,6 +56,25 @@ impl Request {
         })
     }
 
+    /// A motion beside another: the name of a case, or a scenario file, which ends in `.toml`. The
+    /// limits are those of the other.
+    #[cfg(feature = "film")]
+    pub(crate) fn named(name: &str, run: &RunArgs) -> Result<Self, Error> {
+        let path = std::path::Path::new(name);
+        let is_file = path.extension().is_some_and(|ending| ending == "toml");
+        Ok(Self {
+            case: (!is_file).then(|| name.to_owned()),
+            scenario: is_file.then(|| Scenario::read(path)).transpose()?,
+            flags: run.limits.given.clone(),
+            law: None,
+            si: false,
+            max_transitions: run.max_transitions,
+            max_slides: run.max_slides,
+            proof: run.proof,
+            overrides: Overrides::default(),
+        })
+    }
+
     /// Whether SI units are asked for other than by a number that has one.
     pub(crate) fn is_si(&self) -> bool {
         let in_file = self

@@ -68,12 +68,64 @@ fn the_ending_says_what_the_film_is() {
     let out = path(&folder, "a.GIF");
     animate(&["figure-3", "--until", "1"], &out);
     assert!(fs::read(&out).unwrap().starts_with(b"GIF89a"));
-    for name in ["film", "film.avi", "film.png", "film.APNG"] {
+    let out = path(&folder, "a.png");
+    animate(&["figure-3", "--until", "1"], &out);
+    assert!(fs::read(&out).unwrap().starts_with(b"\x89PNG"));
+    for name in ["film", "film.avi", "film.APNG"] {
         let out = path(&folder, name);
         let message = complaint(&["animate", "figure-3", "--out", &out], 2);
         assert!(
-            message.contains("hint: names end in .gif or .mp4 or .webm"),
+            message.contains("hint: names end in .gif or .mp4 or .webm or .png"),
             "{message}"
+        );
+    }
+}
+
+#[test]
+fn two_motions_run_beside_each_other() {
+    let folder = TempDir::new().unwrap();
+    let scenario = path(&folder, "second.toml");
+    fs::write(&scenario, "case = 'figure-3'\n[hoop]\nmu_k = 0.3\n").unwrap();
+    let out = path(&folder, "film.gif");
+    for other in ["figure-7", &scenario] {
+        let flags = [
+            "--beside", other, "--fps", "5", "--slow", "1", "--out", &out,
+        ];
+        text(&[&["animate", "figure-3"][..], &flags].concat());
+        // Width and height of a GIF.
+        assert_eq!(fs::read(&out).unwrap()[6..10], [0x80, 0x02, 0x58, 0x02]);
+    }
+    assert!(refused(&["--beside", "figure-33"], 2).contains("did you mean 'figure-3'"));
+    let message = refused(&["--beside", "figure-7", "--size", "640x300"], 2);
+    assert!(
+        message.contains("two hoops need a height of 320"),
+        "{message}"
+    );
+    // In SI units both, or none.
+    let si = "[si.hoop]\nparticle_mass_kg = 0.1\nradius_m = 0.4\n";
+    fs::write(&scenario, format!("case = 'figure-3'\n{si}")).unwrap();
+    let message = refused(&["--beside", &scenario], 2);
+    assert!(
+        message.contains("one of the motions is in SI units"),
+        "{message}"
+    );
+    let flags = [
+        "--particle-mass-kg",
+        "0.2",
+        "--radius-m",
+        "0.3",
+        "--fps",
+        "5",
+        "--slow",
+        "1",
+    ];
+    for other in ["figure-7", &scenario] {
+        text(
+            &[
+                &["animate", "figure-3", "--beside", other, "--out", &out],
+                &flags[..],
+            ]
+            .concat(),
         );
     }
 }
@@ -231,7 +283,7 @@ fn an_mp4_is_what_ffmpeg_has_written_or_nothing() {
         .success();
     // ⌈3.847 × 5⌉ + 1 frames, the last repeated for 1.5 s.
     let bytes: usize = fs::read_to_string(&out).unwrap().trim().parse().unwrap();
-    assert_eq!(bytes, 160 * 160 * 3 * (21 + 8));
+    assert_eq!(bytes, 160 * 160 * 4 * (21 + 8));
 
     let folder = TempDir::new().unwrap();
     let out = path(&folder, "film.mp4");

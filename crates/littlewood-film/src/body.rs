@@ -52,8 +52,36 @@ pub(crate) fn draw_trail(
     }
 }
 
-/// The hoop, the particle, the mass centre and the geometric centre.
-pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &Hoop, unit: f64) {
+/// The whole path of the mass centre, and the hoop where it ends, pale.
+pub(crate) fn draw_course(
+    canvas: &mut Canvas,
+    view: &View,
+    course: impl Iterator<Item = Sample>,
+    unit: f64,
+) {
+    let mut last = None;
+    let points: Vec<Place> = course
+        .map(|sample| {
+            last = Some(sample.centre);
+            view.place(sample.mass_centre)
+        })
+        .collect();
+    if let Some(centre) = last {
+        canvas.ring(view.place(centre), view.scale - 0.5 * unit, unit, LINE);
+    }
+    canvas.line(&points, 1.4 * unit, LINE);
+}
+
+/// The hoop, its rim in a colour of its own if it has one, the particle, the mass centre and the
+/// geometric centre.
+pub(crate) fn draw_body(
+    canvas: &mut Canvas,
+    view: &View,
+    scene: &Scene,
+    hoop: &Hoop,
+    rim_colour: Option<Rgb>,
+    unit: f64,
+) {
     let centre = view.place(scene.sample.centre);
     let radius = view.scale;
     let rim = (RIM * radius).max(1.5 * unit);
@@ -62,7 +90,7 @@ pub(crate) fn draw_body(canvas: &mut Canvas, view: &View, scene: &Scene, hoop: &
         centre,
         radius - 0.5 * rim,
         (rim - 1.6 * unit).max(1.0),
-        LINE,
+        rim_colour.unwrap_or(LINE),
     );
     let theta = scene.sample.state.theta + view.tilt.angle;
     for mark in 0..MARKS {

@@ -83,9 +83,12 @@ pub(crate) struct Camera {
     tilt: Tilt,
     /// Pixels for a radius.
     scale: f64,
-    /// Middle and lowest height of the path.
+    /// Middle of the path, half its width, and its lowest height.
     middle: f64,
+    half: f64,
     lowest: f64,
+    /// Smallest scale with which the whole path is shown.
+    least: f64,
     /// Whether the camera follows the body sideways, and upwards.
     follows: [bool; 2],
 }
@@ -130,13 +133,20 @@ impl Camera {
             Framing::Auto => whole >= SMALLEST * unit,
             Framing::Follow => false,
         };
+        let least = match framing {
+            Framing::Whole | Framing::Follow => 0.0,
+            Framing::Auto => SMALLEST * unit,
+        };
+        let half = 0.5 * (right - left) + BESIDE;
         if is_whole {
             return Self {
                 window,
                 tilt,
                 scale: whole.min(largest),
                 middle,
+                half,
                 lowest,
+                least,
                 follows: [false; 2],
             };
         }
@@ -149,9 +159,37 @@ impl Camera {
             tilt,
             scale,
             middle,
+            half,
             lowest,
+            least,
             follows: [true, scale > upright],
         }
+    }
+
+    /// Gives cameras one scale, in which all that any of them sees is in sight; their radii have
+    /// these lengths. Whether the hoops are large enough.
+    pub(crate) fn join(cameras: &mut [Self], lengths: &[f64]) -> bool {
+        let all = || cameras.iter().zip(lengths);
+        let from = all().map(|(it, length)| length * (it.middle - it.half));
+        let to = all().map(|(it, length)| length * (it.middle + it.half));
+        let (from, to) = (
+            from.fold(f64::INFINITY, f64::min),
+            to.fold(f64::NEG_INFINITY, f64::max),
+        );
+        let scale = |(it, length): (&Self, &f64)| {
+            let across = if it.is_still() {
+                it.window.width / (to - from)
+            } else {
+                f64::INFINITY
+            };
+            (it.scale / length).min(across)
+        };
+        let scale = all().map(scale).fold(f64::INFINITY, f64::min);
+        for (camera, length) in cameras.iter_mut().zip(lengths) {
+            camera.scale = scale * length;
+            camera.middle = 0.5 * (from + to) / length;
+        }
+        cameras.iter().all(|camera| camera.scale >= camera.least)
     }
 
     /// Whether the view is the same in all frames.

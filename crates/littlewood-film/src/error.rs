@@ -6,7 +6,7 @@ use littlewood::OutcomeKind;
 use littlewood_draw::DrawError;
 use thiserror::Error;
 
-use crate::size::{FrameSize, SizeError};
+use crate::size::{FrameSize, SIDES, SizeError};
 
 /// A film that cannot be made, or not be written.
 #[derive(Debug, Error)]
@@ -21,6 +21,12 @@ pub enum FilmError {
     /// H.264 halves the resolution of colour.
     #[error("size = {size} px: both sides of an MP4 must be even")]
     OddSize { size: FrameSize },
+    /// Two lanes in a picture that is too low.
+    #[error("size = {size} px: two hoops need a height of {} to {} px", 2 * SIDES.start(), SIDES.end())]
+    NoRoomForTwo { size: FrameSize },
+    /// Two clocks that do not count the same.
+    #[error("one of the motions is in SI units, and the other is not")]
+    TwoClocks,
     /// A rate of frames outside the bounds.
     #[error("fps = {fps} must be between 1 and {most} frames per second in {format}")]
     FrameRate {
@@ -67,6 +73,10 @@ impl FilmError {
             Self::Size { .. } | Self::Pane(_) => {
                 "a size is WIDTHxHEIGHT in pixels, such as 640x360 or 1920x1080"
             }
+            Self::NoRoomForTwo { .. } => {
+                "each has half of the height; 640x600 or 1280x720 is usual"
+            }
+            Self::TwoClocks => "give both in SI units, or none",
             Self::OddSize { .. } => "add a pixel, or write a GIF",
             Self::FrameRate { format: "GIF", .. } => {
                 "a GIF counts hundredths of a second, and programs slow down what is shown for less than two; take \

@@ -34,7 +34,7 @@ impl Video {
     const fn arguments(self) -> &'static str {
         match self {
             Self::Mp4 => {
-                "-c:v libx264 -preset slow -tune animation -crf 20 -movflags +faststart -f mp4"
+                "-c:v libx264 -preset medium -tune animation -crf 20 -movflags +faststart -f mp4"
             }
             Self::WebM => {
                 "-c:v libvpx-vp9 -deadline good -cpu-used 2 -crf 30 -b:v 0 -row-mt 0 -f webm"
@@ -50,7 +50,7 @@ fn command(program: &OsStr, path: &Path, film: &Film<'_>, video: Video) -> Comma
     let mut command = Command::new(program);
     command
         .args("-hide_banner -loglevel error -nostats -y".split(' '))
-        .args("-f rawvideo -pixel_format rgb24 -video_size".split(' '))
+        .args("-f rawvideo -pixel_format rgb0 -video_size".split(' '))
         .arg(size)
         .arg("-framerate")
         .arg(fps)
@@ -85,7 +85,6 @@ pub struct FfmpegFilm {
     ffmpeg: Child,
     frames: Option<ChildStdin>,
     messages: Option<JoinHandle<Vec<String>>>,
-    row: Vec<u8>,
 }
 
 impl FfmpegFilm {
@@ -119,7 +118,6 @@ impl FfmpegFilm {
             ffmpeg,
             frames,
             messages,
-            row: Vec::with_capacity(3 * size.area()),
         })
     }
 
@@ -156,15 +154,11 @@ impl FfmpegFilm {
 
 impl Encoder for FfmpegFilm {
     fn frame(&mut self, pixels: &[u8], shown: Shown) -> Result<(), FilmError> {
-        self.row.clear();
-        for [red, green, blue, _] in pixels.as_chunks::<4>().0 {
-            self.row.extend([*red, *green, *blue]);
-        }
         for _ in 0..shown.copies() {
             let Some(frames) = &mut self.frames else {
                 return Ok(());
             };
-            match frames.write_all(&self.row) {
+            match frames.write_all(pixels) {
                 // It has ended before all frames were there: its own message says why.
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => {
                     self.frames = None;

@@ -42,7 +42,7 @@ impl<W: Write> GifFilm<W> {
                 format: "GIF",
             });
         }
-        let quantiser = Quantiser::new(film.has_energies());
+        let quantiser = Quantiser::new(film.has_energies(), film.has_lanes());
         let side =
             |pixels: u32| u16::try_from(pixels).map_err(|_| FilmError::from(SizeError { size }));
         let (width, height) = (side(size.width())?, side(size.height())?);

@@ -20,9 +20,19 @@ use littlewood_style::Rgb;
 /// Distance from the edges.
 const MARGIN: f64 = 12.0;
 
+/// Width of the clock.
+const CLOCK: f64 = 122.0;
+
 /// Height of what stands above and below the motion.
 pub(crate) const HEAD: f64 = 58.0;
 pub(crate) const FOOT: f64 = 58.0;
+
+/// The name of a lane, and its colour.
+#[derive(Debug)]
+pub(crate) struct Name {
+    pub(crate) words: String,
+    pub(crate) colour: Rgb,
+}
 
 /// Writes the words around the motion.
 #[derive(Debug)]
@@ -219,6 +229,18 @@ impl Panel {
         self.draw_signs(canvas, trajectory.hoop());
     }
 
+    /// The name of the lane on a ground of its colour, to the left of the clock.
+    pub(crate) fn draw_name(&self, canvas: &mut Canvas, name: &Name) {
+        let u = self.unit;
+        let style = self.style(12.0, true, 0.5);
+        let (wide, tall) = (style.width(&name.words) + 16.0 * u, 18.0 * u);
+        let corner = Place::new(self.width - (MARGIN + CLOCK) * u - wide, 11.0 * u);
+        canvas.pill(corner, wide, tall, name.colour);
+        let letters = name.colour.more_legible(INK, PAPER);
+        let middle = corner.shifted(0.5 * wide, 13.2 * u);
+        canvas.words(&name.words, middle, style, letters);
+    }
+
     /// A mark over the line of phases for each impact.
     fn draw_impacts(&self, canvas: &mut Canvas, trajectory: &Trajectory, schedule: &Schedule) {
         let u = self.unit;
@@ -244,7 +266,7 @@ impl Panel {
     /// Where a time stands on the line of phases.
     fn place_of(&self, time: f64, schedule: &Schedule) -> f64 {
         let left = MARGIN * self.unit;
-        let span = schedule.end - schedule.start;
+        let span = schedule.line_end - schedule.start;
         let part = if span > 0.0 {
             (time - schedule.start) / span
         } else {

@@ -25,16 +25,20 @@ pub(crate) struct Quantiser {
 }
 
 impl Quantiser {
-    /// For films with impulses or energies, or without.
-    pub(crate) fn new(with_energies: bool) -> Self {
+    /// For films with impulses or energies, or without, and with lanes, or without.
+    pub(crate) fn new(with_energies: bool, with_lanes: bool) -> Self {
         let mut colours: Vec<Rgb> = vec![PAPER];
         let mut add = |colour: Rgb| {
             if !colours[1..].contains(&colour) && colours.len() < 256 {
                 colours.push(colour);
             }
         };
-        let inks = colour::all(with_energies);
-        let levels = if with_energies { FEWER_LEVELS } else { LEVELS };
+        let inks = colour::all(with_energies, with_lanes);
+        let levels = if with_energies || with_lanes {
+            FEWER_LEVELS
+        } else {
+            LEVELS
+        };
         inks.iter().copied().for_each(&mut add);
         for step in 1..STEPS {
             for ink in &inks {
@@ -96,14 +100,16 @@ mod tests {
     #[test]
     fn inks_are_kept_and_mixtures_are_near() {
         for with_energies in [false, true] {
-            inks_are_kept(with_energies);
+            for with_lanes in [false, true] {
+                inks_are_kept(with_energies, with_lanes);
+            }
         }
     }
 
-    fn inks_are_kept(with_energies: bool) {
-        let mut quantiser = Quantiser::new(with_energies);
+    fn inks_are_kept(with_energies: bool, with_lanes: bool) {
+        let mut quantiser = Quantiser::new(with_energies, with_lanes);
         assert_eq!(quantiser.table().len(), 768);
-        for ink in colour::all(with_energies) {
+        for ink in colour::all(with_energies, with_lanes) {
             let index = quantiser.index(ink);
             assert!(index != TRANSPARENT);
             assert_eq!(quantiser.colours[usize::from(index)], ink);

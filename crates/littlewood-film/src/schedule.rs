@@ -92,6 +92,8 @@ pub struct Schedule {
     pub start: f64,
     /// Last instant of the motion that is shown.
     pub end: f64,
+    /// Where the line of time ends: beside a longer motion later than this one.
+    pub line_end: f64,
     /// Dimensionless time from frame to frame.
     pub step: f64,
     /// Frames per second.
@@ -160,12 +162,30 @@ impl Schedule {
         Ok(Self {
             start,
             end,
+            line_end: end,
             step: 1.0 / (pace.seconds() * f64::from(fps)),
             fps,
             frames: frames.max(1.0) as u64,
             hold_ms: libm::round(1e3 * hold_s) as u32,
             part,
         })
+    }
+
+    /// The same in a film of so many frames, no fewer: a motion without an end goes on.
+    pub(crate) fn go_on(&self, trajectory: &Trajectory, frames: u64) -> Self {
+        let line_end = (self.start + frames.saturating_sub(1) as f64 * self.step).max(self.end);
+        let is_endless = !trajectory.end_time().is_finite();
+        Self {
+            end: if is_endless { line_end } else { self.end },
+            line_end,
+            frames,
+            part: match self.part {
+                // Beside another motion no period is whole.
+                Part::Period | Part::TwoPeriods => Part::While,
+                part => part,
+            },
+            ..*self
+        }
     }
 
     /// Whether the film goes on with its first frame after the last, because the motion comes back

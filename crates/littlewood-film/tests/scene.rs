@@ -4,7 +4,7 @@ use crate::filmed;
 use littlewood::cases::find_case;
 use littlewood::{Hoop, Limits, Mode, Start, Trajectory};
 use littlewood_film::{DrawnArrow, Film, FrameSize, Framing, Pace, Part, Scene, With};
-use littlewood_style::{Ink, Theme};
+use littlewood_style::{Accent, Ink, Rgb, Theme};
 
 const WITH: [With; 3] = [With::Plane, With::Friction, With::Energy];
 
@@ -263,6 +263,69 @@ fn every_case_has_every_pane() {
             }
         }
     }
+}
+
+#[test]
+fn two_motions_run_in_one_clock() {
+    let (first, second) = (motion("figure-3"), motion("figure-7"));
+    let alone = [&first, &second].map(film);
+    let size = FrameSize::new(320, 400).unwrap();
+    let pace = Pace {
+        fps: 20,
+        slow: 3.0,
+        units: None,
+        hold_s: None,
+    };
+    let [upper, lower] =
+        [&first, &second].map(|motion| Film::new(motion, &pace, size, Framing::Auto).unwrap());
+    let both = upper.over(lower, ["a", "b"]).unwrap();
+    let frames = both.schedule().frames;
+    assert_eq!(frames, alone[0].schedule().frames);
+    assert!(frames > alone[1].schedule().frames);
+    // One scale of arrows, in which those of both have room.
+    let scales = alone.each_ref().map(Film::scale);
+    assert_eq!(
+        both.scale().velocity,
+        scales[0].velocity.min(scales[1].velocity)
+    );
+    let of = |pixels: &[u8], accent: Accent| {
+        let Rgb([red, green, blue]) = accent.colour(Theme::Light);
+        pixels.as_chunks::<4>().0.contains(&[red, green, blue, 255])
+    };
+    let halves = |index: u64| {
+        let pixels = both.still(index).unwrap();
+        let (upper, lower) = pixels.split_at(pixels.len() / 2);
+        (upper.to_vec(), lower.to_vec())
+    };
+    let ended = alone[1].schedule().frames;
+    let (before, last) = (halves(ended), halves(frames - 1));
+    for (upper, lower) in [&before, &last] {
+        assert!(of(upper, Accent::Violet) && !of(upper, Accent::Teal));
+        assert!(of(lower, Accent::Teal) && !of(lower, Accent::Violet));
+    }
+    // What has ended stays, and the other goes on.
+    assert!(before.1 == last.1 && before.0 != last.0);
+    let low = FrameSize::new(640, 300).unwrap();
+    let [upper, lower] =
+        [&first, &second].map(|motion| Film::new(motion, &pace, low, Framing::Auto).unwrap());
+    let refused = upper.over(lower, ["a", "b"]).unwrap_err().to_string();
+    assert_eq!(
+        refused,
+        "size = 640x300 px: two hoops need a height of 320 to 4096 px"
+    );
+}
+
+#[test]
+fn the_frame_that_tells_most_is_in_the_middle_of_the_flight() {
+    let motion = motion("figure-3");
+    let film = film(&motion);
+    let scene = film.scene(film.telling()).unwrap();
+    assert_eq!(scene.mode(), Mode::Flight);
+    let flight = motion.phases().last().unwrap();
+    let middle = 0.5 * (flight.start().time + flight.end_time());
+    assert!((scene.time() - middle).abs() <= 0.5 * film.schedule().step);
+    let png = film.png(film.telling()).unwrap();
+    assert!(png.starts_with(b"\x89PNG"));
 }
 
 #[test]

@@ -24,6 +24,7 @@ mod waiting;
 /// The module.
 #[pyo3::pymodule(gil_used = false)]
 mod _core {
+    use littlewood_draw::{LEAST_WIDTH_MM, MOST_WIDTH_MM};
     use littlewood_sweep::MOST_THREADS;
     use pyo3::prelude::*;
 
@@ -41,12 +42,12 @@ mod _core {
         },
         digest::digest_line,
         link::{problem_of_link, read_link, write_link},
-        many::{classes, derivative_column, summaries},
+        many::{classes, derivative_column, mixed, summaries},
         motion::{
             Trajectory, bouncing_orbit, check_hoop, check_proof, check_until, classify, simulate,
             threshold,
         },
-        palette::{curves, dashes, font, lengths, marked, swatches_of, unicode},
+        palette::{curves, dashes, font, lengths, marked, swatches_of, ticks_of, unicode},
         plane::PhasePlane,
         program::run_program,
         table::{
@@ -61,6 +62,7 @@ mod _core {
         module.add("ParameterError", module.py().get_type::<ParameterError>())?;
         module.add("MOST_POINTS", MOST_POINTS)?;
         module.add("MOST_THREADS", MOST_THREADS)?;
+        module.add("PRINT_WIDTHS_MM", (LEAST_WIDTH_MM, MOST_WIDTH_MM))?;
         table::register(module)
     }
 }

@@ -4,7 +4,7 @@ use littlewood::tables::{
     Class, DerivativeColumn, Group, PhaseSequence, Quantity, Setup, UnknownDerivative,
 };
 use littlewood::{OutcomeKind, RestitutionLaw, Summary};
-use littlewood_sweep::{ColumnValues, Points, Refused, of_derivative};
+use littlewood_sweep::{ColumnValues, Lattice, MIXED, Points, Refused, of_derivative};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -183,4 +183,26 @@ pub(crate) fn classes<'py>(
         codes.push(Class::of(&summary).code());
     }
     Ok(codes.into_pyarray(py))
+}
+
+/// Of each place of a map, row by row, whether keys around it change more finely than the map tells.
+#[pyfunction]
+pub(crate) fn mixed<'py>(
+    py: Python<'py>,
+    keys: PyReadonlyArray1<'py, u8>,
+    columns: usize,
+) -> Bound<'py, PyArray1<bool>> {
+    let keys: Vec<u64> = keys.as_array().iter().map(|&key| key.into()).collect();
+    let rows = keys.len() / columns.max(1);
+    // A line of places has no neighbours above and below.
+    if columns < 2 || rows < 2 {
+        return vec![false; keys.len()].into_pyarray(py);
+    }
+    let mut lattice = Lattice {
+        keys,
+        ..Lattice::even(columns, rows, |_| 0)
+    };
+    lattice.mix();
+    let mixed: Vec<bool> = lattice.keys.iter().map(|&key| key == MIXED).collect();
+    mixed.into_pyarray(py)
 }

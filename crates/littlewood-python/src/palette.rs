@@ -2,7 +2,7 @@
 
 use littlewood::Mode;
 use littlewood_draw::{LETTER, SMALL, TICK};
-use littlewood_style::{Curve, Dash, Theme, dash_of, swatches, width};
+use littlewood_style::{Curve, Dash, Theme, dash_of, swatches, ticks, width};
 use pyo3::prelude::*;
 
 use crate::record::ByName;
@@ -105,4 +105,26 @@ pub(crate) fn marked(sign: &str) -> String {
 #[pyfunction]
 pub(crate) fn unicode(text: &str) -> String {
     littlewood_draw::unicode(text)
+}
+
+/// A tick of an axis.
+#[derive(IntoPyObject)]
+pub(crate) struct TickDict {
+    value: f64,
+    label: String,
+}
+
+/// Ticks of an axis from a to b > a, at most about so many: `round`, `angular` or `logarithmic`;
+/// none for another kind.
+#[pyfunction]
+#[pyo3(name = "ticks")]
+pub(crate) fn ticks_of(kind: &str, a: f64, b: f64, most: usize) -> Vec<TickDict> {
+    let found = match kind {
+        "round" => ticks::round(a, b, most.max(1)),
+        "angular" => ticks::angular(a, b, most.max(1)),
+        "logarithmic" => ticks::logarithmic(a, b, most.max(1)),
+        _ => Vec::new(),
+    };
+    let row = |ticks::Tick { value, label }| TickDict { value, label };
+    found.into_iter().map(row).collect()
 }

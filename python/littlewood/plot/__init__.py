@@ -11,8 +11,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from .canvas import look, pi_ticks
-from .course import history, path, trajectory
+from .course import history, path
 from .outcome_chart import classes, outcomes
+from .overview import trajectory
 from .plane import phase_plane
 
 if TYPE_CHECKING:

@@ -6,7 +6,6 @@ import functools
 import itertools
 import math
 from contextlib import AbstractContextManager, nullcontext
-from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
 import numpy as np
@@ -77,6 +76,24 @@ def look(width_mm: float | None = None) -> AbstractContextManager[Any]:
     return context
 
 
+def scaled(points: float) -> float:
+    """Return a length that has so many points on a screen in the look that is on."""
+    from .sheet import scaled as of_look
+
+    return of_look(points)
+
+
+def checked_width(width_mm: float | None) -> float | None:
+    """Return a width in print.
+
+    Raises :class:`PictureError` for one that figures do not have.
+    """
+    least, most = _core.PRINT_WIDTHS_MM
+    if width_mm is not None and not least <= width_mm <= most:
+        raise PictureError(f"a picture is {least:g} to {most:g} mm wide, not {width_mm:g}")
+    return width_mm
+
+
 def sheet(width: float, height: float) -> Sheet:
     """Return a figure of a size in inches, which no state machine keeps."""
     from .sheet import Sheet
@@ -84,13 +101,25 @@ def sheet(width: float, height: float) -> Sheet:
     return Sheet(figsize=(width, height))
 
 
-def key(axes: Axes, heading: str | None = None, *, columns: int = 2, **options: Any) -> None:
+def key(
+    axes: Axes,
+    heading: str | None = None,
+    *,
+    columns: int = 2,
+    handles: list[Any] | None = None,
+    **options: Any,
+) -> None:
     """Put the key above the axes, below a heading.
 
     It covers no curve. What is drawn in pieces has one entry.
     """
     unique: dict[str, Any] = {}
-    for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+    named = (
+        axes.get_legend_handles_labels()
+        if handles is None
+        else (handles, [one.get_label() for one in handles])
+    )
+    for handle, label in zip(*named, strict=True):
         unique.setdefault(label, handle)
     place: dict[str, Any] = {
         "loc": "lower left",
@@ -176,13 +205,19 @@ def save(figure: Figure, path: Path, title: str, description: str) -> None:
         figure.savefig(path, dpi=200, metadata=about)
 
 
-def _pi(value: float) -> str:
-    ratio = Fraction(value / math.pi).limit_denominator(24)
-    sign = "−" if ratio < 0 else ""
-    top, bottom = abs(ratio.numerator), ratio.denominator
-    if top == 0:
-        return "0"
-    return f"{sign}{'' if top == 1 else top}π{'' if bottom == 1 else f'/{bottom}'}"
+def core_ticks(
+    axes: Axes,
+    which: Literal["x", "y"],
+    kind: str = "round",
+    most: int | None = None,
+    least: float = -math.inf,
+) -> None:
+    """Put the ticks of an axis where the figures of the program have them, from a value on."""
+    from .sheet import CoreLabels, CoreTicks
+
+    axis = axes.xaxis if which == "x" else axes.yaxis
+    axis.set_major_locator(CoreTicks(kind, most, least))
+    axis.set_major_formatter(CoreLabels())
 
 
 def pi_ticks(axes: Axes, which: Literal["x", "y"] = "x", most: int = 9) -> None:
@@ -191,22 +226,13 @@ def pi_ticks(axes: Axes, which: Literal["x", "y"] = "x", most: int = 9) -> None:
     Parameters
     ----------
     axes : matplotlib.axes.Axes
-        Axes with their limits set.
+        Axes.
     which : {"x", "y"}
         Axis that shows the angle.
     most : int, optional
         Largest number of ticks.
     """
-    ticker = require("matplotlib.ticker")
-    low, high = sorted(axes.get_xlim() if which == "x" else axes.get_ylim())
-    # Halves, thirds, quarters of π first; whole multiples where the angle turns often.
-    steps = [math.pi / d for d in (12, 6, 4, 2, 1)] + [math.pi * 2**k for k in range(1, 30)]
-    fitting = [step for step in steps if (high - low) / step <= most]
-    if (high - low) < math.pi / 6 or not fitting:
-        return
-    axis = axes.xaxis if which == "x" else axes.yaxis
-    axis.set_major_locator(ticker.MultipleLocator(fitting[0]))
-    axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: _pi(value)))
+    core_ticks(axes, which, "angular", most)
 
 
 def phase_slices(samples: Samples) -> list[tuple[str, slice]]:

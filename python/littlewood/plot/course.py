@@ -2,40 +2,51 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .._protocols import MotionLike
 from ..samples import Samples
-from ..style import BOLD, CURVE, FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES, PAPER
-from ..tables import CAUSE_LABELS
+from ..style import BOLD, CURVE, FAINT, FINE, INK, LINE, MODE_COLOURS, MODE_DASHES
+from ..tables import MODES
 from .canvas import (
     axis_label,
-    draw_hoop,
+    core_ticks,
     draw_plane,
     key,
     level,
     on_sheet,
     phase_slices,
-    pi_ticks,
-    seen_heights,
+    scaled,
     sheet,
     sign,
     words,
 )
+from .ground import Ground, mark_events
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
+
+_BELOW, _ABOVE = 44.0, 10.0
+"""Pixels of the numbers of an axis with its name, and of the air above it."""
+
+_ROW, _ENTRY, _LETTER = 17.0, 40.0, 6.6
+"""Pixels of a row of a key, of an entry without its words, and of a letter on average."""
+
+_WIDTHS = (CURVE, FINE, BOLD)
+"""Widths of the lines of a panel, by which its quantities are told apart."""
+
+_NOISE = 1e-11
+"""What differs by less of its size is equal: forces are differences of larger numbers."""
 
 
 @on_sheet
 def path(motion: MotionLike, axes: Axes | None = None, *, count: int = 1001) -> Axes:
     """Draw the paths of the mass centre (thick) and the geometric centre (thin), as in Figure 3(b).
 
-    A plane with a slope is tilted, and the axes are level.
+    A plane with a slope is tilted, and the axes are level. Where one scale for both axes would
+    leave nothing to see there are two, which the picture says, and no hoops.
 
     Parameters
     ----------
@@ -50,85 +61,108 @@ def path(motion: MotionLike, axes: Axes | None = None, *, count: int = 1001) -> 
     -------
     matplotlib.axes.Axes
     """
-    samples, slope = motion.sample(count), motion.hoop.slope
+    from .sheet import inches, wide
+
+    samples = motion.sample(count)
+    ground = Ground(motion, samples)
+    if axes is None:
+        entries = path_key(motion, samples)
+        above = rows_of(entries, wide() - _LEFT - 12.0) * _ROW + _ABOVE
+        height = ground.height(wide() - _LEFT - 12.0)
+        whole = above + height + _BELOW
+        figure = sheet(inches(wide()), inches(whole))
+        figure.set_layout_engine("none")
+        axes = figure.add_axes(
+            (_LEFT / wide(), _BELOW / whole, 1.0 - (_LEFT + 12.0) / wide(), height / whole)
+        )
+    draw_path(motion, samples, ground, axes)
+    return axes
+
+
+_LEFT = 58.0
+"""Pixels to the left of the axes of a path."""
+
+
+def draw_path(motion: MotionLike, samples: Samples, ground: Ground, axes: Axes) -> None:
+    """Draw the path, its key and its events on axes whose place is known."""
+    slope = motion.hoop.slope
     centre = level(slope, samples.x, samples.centre_y)
     mass_centre = level(slope, samples.mass_centre_x, samples.mass_centre_y)
-    x_low, x_high = float(np.min(centre[0])) - 1.2, float(np.max(centre[0])) + 1.2
-    y_low, highest = seen_heights(samples, slope)
-    y_high = highest + 1.15
-    if axes is None:
-        width = 9.0
-        height = min(6.0, max(2.4, 1.1 + width * ((y_high - y_low) / (x_high - x_low) + 0.045)))
-        axes = sheet(width, height).add_subplot()
-    draw_plane(axes, slope)
-    shown: set[str] = set()
+    view = ground.view(axes)
+    axes.set_xlim(view.left, view.right)
+    axes.set_ylim(view.bottom, view.top)
+    if view.is_round:
+        axes.set_aspect("equal", anchor="W")
+    draw_plane(axes, slope, scaled(CURVE))
     for mode, part in phase_slices(samples):
         style: dict[str, Any] = {
             "color": MODE_COLOURS[mode],
             "linestyle": MODE_DASHES[mode],
             "zorder": 4,
         }
-        label = None if mode in shown else mode
-        axes.plot(mass_centre[0][part], mass_centre[1][part], linewidth=BOLD, label=label, **style)
-        axes.plot(centre[0][part], centre[1][part], linewidth=FINE, **style)
-        shown.add(mode)
-    _mark_hoops(motion, axes, samples, x_high - x_low)
-    axes.set_xlim(x_low, x_high)
-    # Room for two rows of labels, whether the width or the height of the axes decides the scale.
-    room = max(0.045 * (x_high - x_low), 0.18 * (y_high - y_low))
-    axes.set_ylim(y_low - room, y_high)
-    axes.set_aspect("equal")
-    if slope == 0.0:
-        axes.set_xlabel(words(axes, axis_label("x")))
-        axes.set_ylabel(words(axes, axis_label("centre_y")))
-        axes.set_yticks(range(math.ceil(y_high)))
-    else:
-        unit = words(axes, axis_label("x").removeprefix(sign("x")))
-        axes.set_xlabel(f"horizontal{unit}")
-        axes.set_ylabel(f"height{unit}")
-    if shown:
-        key(axes, columns=4)
-    return axes
+        bold, fine = scaled(BOLD), scaled(FINE)
+        axes.plot(mass_centre[0][part], mass_centre[1][part], linewidth=bold, **style)
+        axes.plot(centre[0][part], centre[1][part], linewidth=fine, **style)
+    notes = [mark_events(motion, samples, axes, view)]
+    if not view.is_round:
+        notes.insert(0, f"height × {view.stretch:.2g}")
+    unit = words(axes, axis_label("x").removeprefix(sign("x")))
+    name = words(axes, axis_label("x")) if slope == 0.0 else f"horizontal{unit}"
+    axes.set_xlabel(";  ".join([name, *filter(None, notes)]))
+    axes.set_ylabel(words(axes, axis_label("centre_y")) if slope == 0.0 else f"height{unit}")
+    core_ticks(axes, "x")
+    # Nothing is below a level plane but names.
+    core_ticks(axes, "y", least=0.0 if slope == 0.0 else -np.inf)
+    entries = path_key(motion, samples)
+    if entries:
+        width = axes.get_window_extent().width * 72.0 / axes.figure.dpi / scaled(0.75)
+        key(axes, columns=columns_of(entries, width), handles=_handles(entries), borderaxespad=0.3)
 
 
-def _mark_hoops(motion: MotionLike, axes: Axes, samples: Samples, span: float) -> None:
-    # Bounces give way to what happens else.
-    events = sorted(
-        motion.transitions, key=lambda one: (one.cause, one.to_mode) == ("landing", "flight")
-    )
-    marks = [(motion.start.time, "start")]
-    marks += [(one.time, CAUSE_LABELS[one.cause]) for one in events]
-    last = motion.transitions[-1].time if motion.transitions else motion.start.time
-    if not motion.transitions or motion.transitions[-1].to_mode is not None:
-        last = float(samples.time[-1])
-        marks.append((last, ""))
-    # Labels stand in two rows; a mark that finds no room in either is left out, unless it is the
-    # last.
-    ends: list[list[tuple[float, float]]] = [[], []]
-    slope = motion.hoop.slope
-    # On a slope labels stand at the side where the plane rises.
-    side = "center" if slope == 0.0 else "left" if slope > 0.0 else "right"
-    for time, label in marks:
-        at = int(np.argmin(np.abs(samples.time - time)))
-        x, y = float(samples.x[at]), float(samples.centre_y[at])
-        half = 0.5 * span * 0.0125 * (len(label) + 1)
-        free = [all(x + half < a or x - half > b for a, b in row) for row in ends]
-        if label and not any(free) and time != last:
-            continue
-        draw_hoop(axes, motion.hoop, x, y, float(samples.theta[at]), alpha=0.75)
-        if label and any(free):
-            row = free.index(True)
-            ends[row].append((x - half, x + half))
-            axes.annotate(
-                label,
-                level(slope, x, 0.0),
-                xytext=({"center": 0, "left": 4, "right": -4}[side], -5 - 13 * row),
-                textcoords="offset points",
-                ha=side,
-                va="top",
-                color=INK,
-                annotation_clip=False,
-            )
+def path_key(motion: MotionLike, samples: Samples) -> list[tuple[str, dict[str, Any]]]:
+    """Return the entries of the key of a path: what can be seen, with its look."""
+    far = np.hypot(np.diff(samples.mass_centre_x), np.diff(samples.mass_centre_y))
+    across = float(np.ptp(samples.x)) + 2.0
+    gone = {
+        mode: sum(
+            float(np.sum(far[part.start : part.stop - 1]))
+            for one, part in phase_slices(samples)
+            if one == mode
+        )
+        for mode in MODES
+    }
+    entries: list[tuple[str, dict[str, Any]]] = [
+        (mode, {"color": MODE_COLOURS[mode], "linestyle": MODE_DASHES[mode], "linewidth": BOLD})
+        for mode in MODES
+        # About a pixel.
+        if gone[mode] > across / 600.0
+    ]
+    if entries and motion.hoop.h > 0.0:
+        entries += [
+            ("mass centre", {"color": INK, "linewidth": BOLD}),
+            ("centre *C*", {"color": INK, "linewidth": FINE}),
+        ]
+    return entries
+
+
+def columns_of(entries: list[tuple[str, dict[str, Any]]], width: float) -> int:
+    """Return how many columns of a key have room in so many pixels."""
+    widest = max((len(label) for label, _ in entries), default=1)
+    return max(1, min(len(entries), int(width / (_ENTRY + _LETTER * widest))))
+
+
+def rows_of(entries: list[tuple[str, dict[str, Any]]], width: float) -> int:
+    """Return the rows of such a key."""
+    return -(-len(entries) // columns_of(entries, width)) if entries else 0
+
+
+def _handles(entries: list[tuple[str, dict[str, Any]]]) -> list[Any]:
+    from matplotlib.lines import Line2D
+
+    return [
+        Line2D([], [], label=label, **look | {"linewidth": scaled(look["linewidth"])})
+        for label, look in entries
+    ]
 
 
 @on_sheet
@@ -141,6 +175,8 @@ def history(
 ) -> Axes:
     """Draw quantities over time, coloured by the mode of motion.
 
+    What grows without bound is cut at the frame, with a mark, and its range stands above.
+
     Parameters
     ----------
     motion : Trajectory
@@ -148,7 +184,7 @@ def history(
     axes : matplotlib.axes.Axes, optional
         Where to draw; a new figure by default.
     quantities : tuple of str, optional
-        Columns of :class:`littlewood.Samples`; each is labelled at its end.
+        Columns of :class:`littlewood.Samples`. Several have lines of several widths, and a key.
     count : int, optional
         Number of instants.
 
@@ -158,8 +194,31 @@ def history(
     """
     samples = motion.sample(count)
     if axes is None:
-        axes = sheet(7.0, 3.2).add_subplot()
-    for name in quantities:
+        from .sheet import inches
+
+        axes = sheet(inches(672.0), inches(307.0)).add_subplot()
+    draw_history(motion, samples, axes, quantities)
+    axes.set_xlabel(words(axes, axis_label("time")))
+    return axes
+
+
+def draw_history(
+    motion: MotionLike, samples: Samples, axes: Axes, quantities: tuple[str, ...]
+) -> None:
+    """Draw quantities over time, without the name of the time."""
+    columns = int(axes.get_window_extent().width * 72.0 / axes.figure.dpi / _COLUMN)
+    shaded = [name for name in quantities if turns(samples[name]) > columns]
+    low, high = limits([samples[name] for name in quantities], is_whole=bool(shaded))
+    axes.set_ylim(low, high)
+    begin, end = float(samples.time[0]), float(samples.time[-1])
+    axes.set_xlim(begin, end if end > begin else begin + 1.0)
+    looks: dict[str, dict[str, Any]] = {
+        name: {"linewidth": scaled(_WIDTHS[k % len(_WIDTHS)])} for k, name in enumerate(quantities)
+    }
+    for name, look in looks.items():
+        if name in shaded:
+            _shade(axes, samples, name, columns)
+            continue
         for mode, part in phase_slices(samples):
             values = np.where(np.isfinite(samples[name][part]), samples[name][part], np.nan)
             axes.plot(
@@ -167,50 +226,132 @@ def history(
                 values,
                 color=MODE_COLOURS[mode],
                 linestyle=MODE_DASHES[mode],
-                linewidth=CURVE,
+                **look,
             )
-    axes.margins(y=0.15)
-    _limit(axes, [samples[name] for name in quantities])
-    _mark_beyond(axes, samples, quantities)
+    notes = ["shaded from least to greatest"] if shaded else []
+    notes += _mark_beyond(axes, samples, quantities)
+    if notes:
+        axes.annotate(
+            ";  ".join(notes),
+            (1.0, 1.0),
+            xycoords="axes fraction",
+            xytext=(0.0, scaled(2.0)),
+            textcoords="offset points",
+            ha="right",
+            va="bottom",
+            color=INK,
+        )
     if len(quantities) > 1:
-        _name_lines(axes, samples, quantities)
+        from matplotlib.lines import Line2D
+
+        lines = [
+            Line2D([], [], color=INK, label=words(axes, axis_label(name)), **look)
+            for name, look in looks.items()
+        ]
+        # Above the notes.
+        key(axes, columns=len(lines), handles=lines, borderaxespad=1.4 if notes else 0.4)
     else:
         axes.set_ylabel(words(axes, axis_label(quantities[0])))
-    for transition in motion.transitions:
-        if transition.time <= samples.time[-1]:
-            axes.axvline(transition.time, color=LINE, linewidth=FINE, zorder=0)
-    axes.axhline(0.0, color=FAINT, linewidth=FINE, zorder=0)
-    axes.set_xlim(float(samples.time[0]), float(samples.time[-1]))
-    axes.set_xlabel(words(axes, axis_label("time")))
-    if quantities == ("theta",):
-        pi_ticks(axes, "y", most=7)
-    return axes
+    _mark_times(axes, [one.time for one in motion.transitions])
+    if low < 0.0 < high:
+        axes.axhline(0.0, color=FAINT, linewidth=scaled(FINE), zorder=0)
+    core_ticks(axes, "x")
+    core_ticks(axes, "y", "angular" if quantities == ("theta",) else "round")
 
 
-def _limit(axes: Axes, lines: list[Any]) -> None:
-    """Keep a rate that grows without bound (gliding) from flattening everything else."""
-    values = np.concatenate([line[np.isfinite(line)] for line in lines])
-    usual = float(np.quantile(np.abs(values), 0.95))
-    if usual > 0.0 and float(np.max(np.abs(values))) > 4.0 * usual:
-        low, high = (
-            max(float(np.min(values)), -1.5 * usual),
-            min(float(np.max(values)), 1.5 * usual),
+_COLUMN = 1.0
+"""Points of a column of what is shaded, because a line would turn more than once in one."""
+
+
+def turns(values: Any) -> int:
+    """Return how often a quantity turns."""
+    values = values[np.isfinite(values)]
+    steps = np.diff(values)
+    steps = steps[np.abs(steps) > _NOISE * np.max(np.abs(values), initial=0.0)]
+    return int(np.count_nonzero(steps[1:] * steps[:-1] < 0.0))
+
+
+def _shade(axes: Axes, samples: Samples, name: str, columns: int) -> None:
+    """Fill from the least to the greatest value of each column, of each mode in its colour.
+
+    Lines that are closer to each other than they are wide would show patterns that are not there.
+    """
+    begin, end = axes.get_xlim()
+    edges = np.linspace(begin, end, columns + 1)
+    place = np.clip(np.searchsorted(edges, samples.time, side="right") - 1, 0, columns - 1)
+    values = samples[name]
+    for code, mode in enumerate(MODES):
+        low, high = np.full(columns, np.inf), np.full(columns, -np.inf)
+        (own,) = np.nonzero((samples["mode"] == code) & np.isfinite(values))
+        np.minimum.at(low, place[own], values[own])
+        np.maximum.at(high, place[own], values[own])
+        is_there = low <= high
+        axes.bar(
+            edges[:-1][is_there],
+            (high - low)[is_there],
+            edges[1] - edges[0],
+            low[is_there],
+            align="edge",
+            color=MODE_COLOURS[mode],
+            alpha=0.5,
+            linewidth=0.0,
         )
-        axes.set_ylim(low - 0.05 * (high - low), high)
+    axes.set_xlim(begin, end)
 
 
-def _mark_beyond(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> None:
-    """Mark each part of a line that is cut, above and below, and write the farthest value.
+_MOST_TIMES = 40
+"""Lines at transitions in a panel at most: more are a grey wall."""
 
-    A figure of the program does the same.
+
+def _mark_times(axes: Axes, times: list[float]) -> None:
+    """Draw a line at each transition, of those that no eye tells apart one, if they are few."""
+    begin, end = axes.get_xlim()
+    width = axes.get_window_extent().width * 72.0 / axes.figure.dpi
+    marked = [begin]
+    for time in times:
+        if time <= end and (time - marked[-1]) / (end - begin) * width > 3.0:
+            marked.append(time)
+    for time in marked[1:] if len(marked) <= _MOST_TIMES else []:
+        axes.axvline(time, color=LINE, linewidth=scaled(FINE), zorder=0)
+
+
+def limits(lines: list[Any], *, is_whole: bool = False) -> tuple[float, float]:
+    """Return the limits of an axis with some air around its lines.
+
+    A constant is in the middle. A rate that grows without bound (gliding) or a force that is large
+    for a moment is cut, where it would flatten everything else, unless the whole is wanted.
+    """
+    values = np.concatenate([line[np.isfinite(line)] for line in lines])
+    if not len(values):
+        return -1.0, 1.0
+    low, high = float(np.min(values)), float(np.max(values))
+    most = max(abs(low), abs(high))
+    if high - low <= _NOISE * most or most == 0.0:
+        air = 0.1 * most or 0.5
+        return low - air, high + air
+    usual = float(np.quantile(np.abs(values), 0.95))
+    if usual > 0.0 and most > 4.0 * usual and not is_whole:
+        # Air only where nothing is cut.
+        down, up = max(low, -1.5 * usual), min(high, 1.5 * usual)
+        air = 0.08 * (up - down)
+        return down - air * (down == low), up + air * (up == high)
+    air = 0.08 * (high - low)
+    return low - air, high + air
+
+
+def _mark_beyond(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> list[str]:
+    """Mark each part of a line that is cut, and return how far it goes, in words.
+
+    A figure of the program marks the same.
     """
     low, high = axes.get_ylim()
-    for sign_of_side, edge, marker in ((1.0, high, 6), (-1.0, low, 7)):
-        farthest: tuple[float, float, str] | None = None
+    ends = []
+    for side, edge, marker in ((-1.0, low, 7), (1.0, high, 6)):
+        farthest = -np.inf
         for name in quantities:
             for mode, part in phase_slices(samples):
-                times, values = samples.time[part], sign_of_side * samples[name][part]
-                (out,) = np.nonzero(values > sign_of_side * edge)
+                times, values = samples.time[part], side * samples[name][part]
+                (out,) = np.nonzero(values > side * edge)
                 for run in np.split(out, np.nonzero(np.diff(out) > 1)[0] + 1):
                     if len(run) == 0:
                         continue
@@ -224,86 +365,30 @@ def _mark_beyond(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> N
                         linestyle="none",
                         linewidth=0.0,
                     )
-                    if farthest is None or values[at] > farthest[0]:
-                        farthest = float(values[at]), float(times[at]), MODE_COLOURS[mode]
-        if farthest is None:
-            continue
-        size, time, colour = farthest
-        number = "∞" if math.isinf(size) else f"{size:.4g}"
-        # Above the frame no line is in the way; below it are the numbers of the other axis.
-        axes.annotate(
-            number if sign_of_side > 0.0 else f"−{number}",
-            (time, edge),
-            xytext=(0, 2) if sign_of_side > 0.0 else (6, 3),
-            textcoords="offset points",
-            ha="center" if sign_of_side > 0.0 else "left",
-            va="bottom",
-            color=colour,
-            annotation_clip=False,
-        )
+                    farthest = max(farthest, float(values[at]))
+        if farthest > -np.inf:
+            ends.append(f"{_SIDES[side]} {number(side * farthest)}")
     axes.set_ylim(low, high)
+    return [f"goes {' '.join(ends)}"] if ends else []
 
 
-def _name_lines(axes: Axes, samples: Samples, quantities: tuple[str, ...]) -> None:
-    """Write the symbol of each line where it is in sight and far from the others."""
-    low, high = axes.get_ylim()
-    table = np.array([samples[name] for name in quantities])
-    table = np.where(np.isfinite(table) & (table >= low) & (table <= high), table, np.nan)
-    middle = slice(len(samples.time) // 20, -(len(samples.time) // 20) or None)
-    for k, name in enumerate(quantities):
-        others = np.delete(table, k, axis=0)
-        distance = np.min(np.abs(np.nan_to_num(others, nan=high) - table[k]), axis=0)[middle]
-        if not np.any(np.isfinite(distance)):
-            continue
-        at = middle.start + int(np.nanargmax(distance))
-        above = table[k, at] >= np.nanmean(np.nan_to_num(others[:, at]))
-        axes.annotate(
-            words(axes, sign(name)),
-            (samples.time[at], table[k, at]),
-            xytext=(7, 4 if above else -4),
-            textcoords="offset points",
-            va="bottom" if above else "top",
-            color=INK,
-            bbox={
-                "boxstyle": "round,pad=0.1",
-                "facecolor": PAPER,
-                "edgecolor": "none",
-                "alpha": 0.8,
-            },
-        )
+_SIDES = {-1.0: "down to", 1.0: "up to"}
 
 
-@on_sheet
-def trajectory(motion: MotionLike) -> Figure:
-    """Draw the path of a motion, and θ, the rates and the forces over time.
+def number(value: float) -> str:
+    """Return a number of four digits for print."""
+    if np.isinf(value):
+        return "∞" if value > 0.0 else "−∞"
+    text = f"{value:.4g}"
+    if "e" in text:
+        digits, exponent = text.split("e")
+        text = f"{digits}·10^{{{int(exponent)}}}"
+    return text.replace("-", "−")
 
-    Parameters
-    ----------
-    motion : Trajectory
-        The motion.
 
-    Returns
-    -------
-    matplotlib.figure.Figure
-    """
-    figure = sheet(9.0, 6.6)
-    if not motion.phases:
-        axes = figure.add_subplot()
-        draw_hoop(axes, motion.hoop, motion.start.x, 1.0, motion.start.theta)
-        draw_plane(axes, motion.hoop.slope)
-        x, y = level(motion.hoop.slope, motion.start.x, 1.0)
-        axes.set_xlim(x - 2.0, x + 2.0)
-        axes.set_ylim(y - 1.3, y + 1.3)
-        axes.set_aspect("equal")
-        axes.set_title(f"no phase: {motion.outcome.label}")
-        return figure
-    grid = figure.add_gridspec(2, 3, height_ratios=(1.25, 1.0))
-    path(motion, figure.add_subplot(grid[0, :]))
-    bounces = any(one.impact is not None for one in motion.transitions)
-    # Where a hoop only bounces there is no force that lasts.
-    in_air = bounces and all(phase.mode == "flight" for phase in motion.phases)
-    panels = (("theta",), ("theta_rate", "slip"), ("gap",) if in_air else ("normal", "friction"))
-    for place, quantities in enumerate(panels):
-        axes = history(motion, figure.add_subplot(grid[1, place]), quantities=quantities)
-        axes.set_ylabel(words(axes, ",  ".join(axis_label(name) for name in quantities)))
-    return figure
+def is_noise(samples: Samples, name: str) -> bool:
+    """Tell whether a force is nothing but rounding of larger ones."""
+    if name not in ("normal", "friction"):
+        return False
+    most = max(float(np.max(np.abs(samples[one]))) for one in ("normal", "friction"))
+    return float(np.max(np.abs(samples[name]))) <= _NOISE * most

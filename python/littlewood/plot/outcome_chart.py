@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from .. import _core
 from .._internal.elementwise import flat
 from .._internal.extras import require
-from ..style import CLASS_COLOURS, FINE, INK
+from ..style import CLASS_COLOURS, FINE, INK, LINE
 from ..tables import CLASS_LABELS, CLASSES
-from .canvas import axis_label, on_sheet, pi_ticks, sheet, sign, words
+from .canvas import axis_label, core_ticks, on_sheet, scaled, sheet, sign, words
 
 if TYPE_CHECKING:
     import xarray
@@ -77,6 +77,9 @@ def outcomes(
 ) -> Axes:
     """Draw a map of the classes of outcomes, with a legend and the share of each class.
 
+    Where outcomes change more finely than the map tells there is one tint, by the rule of the
+    figures; maps of fewer than 60 motions either way tell too little for it.
+
     Parameters
     ----------
     dataset : xarray.Dataset
@@ -100,46 +103,73 @@ def outcomes(
     x = x if x is not None else (second if y == first else first)
     y = y if y is not None else (second if x == first else first)
     shown = shown.transpose(y, x)
+    is_beside = True
     if axes is None:
-        axes = sheet(8.0, 4.8).add_subplot()
-    palette = colors.ListedColormap([CLASS_COLOURS[name] for name in CLASSES])
-    values = shown.to_numpy()
+        from .sheet import inches, wide
+
+        is_beside = wide() > _ROOM_FOR_KEY
+        axes = sheet(inches(wide()), inches(0.6 * wide() + 30.0 * (not is_beside))).add_subplot()
+    values = _with_mixed(shown.to_numpy())
     axes.pcolormesh(
         shown[x].to_numpy(),
         shown[y].to_numpy(),
         values,
-        cmap=palette,
+        cmap=colors.ListedColormap([colour for _, colour in _entries()]),
         vmin=-0.5,
-        vmax=len(CLASSES) - 0.5,
+        vmax=len(CLASSES) + 0.5,
         shading="nearest",
         rasterized=True,
     )
-    counts = np.bincount(values.ravel(), minlength=len(CLASSES))
+    counts = np.bincount(values.ravel(), minlength=len(CLASSES) + 1)
     handles = [
         patches.Patch(
-            facecolor=CLASS_COLOURS[name],
+            facecolor=colour,
             edgecolor=INK,
-            linewidth=FINE,
-            label=f"{CLASS_LABELS[name]}\n{100 * counts[i] / values.size:.1f} %",
+            linewidth=scaled(FINE),
+            label=f"{label}\n{100 * counts[i] / values.size:.1f} %",
         )
-        for i, name in enumerate(CLASSES)
+        for i, (label, colour) in enumerate(_entries())
         if counts[i]
     ]
-    axes.legend(
-        handles=handles,
-        loc="upper left",
-        bbox_to_anchor=(1.02, 1.0),
-        labelspacing=0.9,
-        handlelength=1.6,
-    )
+    beside: dict[str, Any] = {
+        "loc": "upper left",
+        "bbox_to_anchor": (1.02, 1.0),
+        "labelspacing": 0.9,
+    }
+    above: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 2}
+    axes.legend(handles=handles, handlelength=1.6, **(beside if is_beside else above))
+    _draw_axes(axes, shown, x, y)
+    return axes
+
+
+_ROOM_FOR_KEY = 600.0
+"""Pixels of a sheet on which a key has room beside a map."""
+
+_TELLING = 60
+"""Motions either way from which on a map tells where outcomes are mixed."""
+
+
+def _entries() -> list[tuple[str, str]]:
+    """Return what a map shows by its codes: the classes, and what is mixed."""
+    own = [(CLASS_LABELS[name], CLASS_COLOURS[name]) for name in CLASSES]
+    return [*own, ("mixed more finely\nthan drawn", LINE)]
+
+
+def _with_mixed(values: Any) -> Any:
+    """Give places around which outcomes change more finely than the map tells one code."""
+    if min(values.shape) < _TELLING:
+        return values
+    is_mixed = _core.mixed(flat(values, np.uint8), values.shape[1]).reshape(values.shape)
+    is_known = values != CLASSES.index("not_computed")
+    return np.where(is_mixed & is_known, np.uint8(len(CLASSES)), values)
+
+
+def _draw_axes(axes: Axes, shown: xarray.DataArray, x: str, y: str) -> None:
     axes.set_xlabel(words(axes, sign(x) if x == "theta" else axis_label(x)))
     axes.set_ylabel(words(axes, sign(y) if y == "theta" else axis_label(y)))
-    if _is_geometric(shown[x].to_numpy()):
-        axes.set_xscale("log")
-    if _is_geometric(shown[y].to_numpy()):
-        axes.set_yscale("log")
-    if x == "theta":
-        pi_ticks(axes)
-    if y == "theta":
-        pi_ticks(axes, "y")
-    return axes
+    which: Literal["x", "y"]
+    for which, name in (("x", x), ("y", y)):
+        if _is_geometric(shown[name].to_numpy()):
+            (axes.set_xscale if which == "x" else axes.set_yscale)("log")
+        else:
+            core_ticks(axes, which, "angular" if name == "theta" else "round")

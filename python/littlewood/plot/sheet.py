@@ -40,6 +40,27 @@ _SCREEN, _PRINT = 0.75, 7.0 / LENGTHS["small"]
 _WIDE, _NARROW, _NARROWEST = 860.0, 280.0, 170.0
 
 
+def unit() -> float:
+    """Return the points to a pixel of the tables: of the look that is on, or of a screen."""
+    is_ours = mpl.rcParams["font.family"][:1] == [_letters()]
+    return float(mpl.rcParams["font.size"]) / LENGTHS["small"] if is_ours else _SCREEN
+
+
+def scaled(points: float) -> float:
+    """Return a length that has so many points on a screen in the look that is on."""
+    return points * unit() / _SCREEN
+
+
+def wide() -> float:
+    """Return the width of a sheet of this look in pixels."""
+    return float(mpl.rcParams["figure.figsize"][0]) * 72.0 / unit()
+
+
+def inches(pixels: float) -> float:
+    """Return a length of a sheet in inches."""
+    return pixels * unit() / 72.0
+
+
 @functools.cache
 def _letters() -> str:
     """Tell Matplotlib of the font, which it reads from a file, and return its name."""
@@ -127,6 +148,64 @@ class Sheet(Figure):
         for text in self.findobj(Text):
             text.set_text(_core.unicode(text.get_text()))
         super().draw(renderer)
+
+
+class CoreTicks(ticker.Locator):
+    """Ticks where the figures of the program have them, as many as have room.
+
+    `kind` is `round` or `angular`, `most` a number of ticks for any room, and `least` where they
+    begin.
+    """
+
+    axis: Any
+
+    def __init__(self, kind: str, most: int | None, least: float) -> None:
+        self.kind, self.most, self.least = kind, most, least
+        # Points of a letter, which the look decides that is on now, not when it is drawn.
+        self._letter = unit() * LENGTHS["small"]
+
+    def __call__(self) -> list[float]:
+        """Return the places of the ticks in sight."""
+        return self.tick_values(*self.axis.get_view_interval())
+
+    def tick_values(self, vmin: float, vmax: float) -> list[float]:
+        """Return the places of the ticks of a range."""
+        return [row["value"] for row in self.rows(vmin, vmax)]
+
+    def rows(self, vmin: float, vmax: float) -> list[Any]:
+        """Return places and labels of the ticks of a range."""
+        low, high = sorted((max(float(vmin), self.least), max(float(vmax), self.least)))
+        if self.most is not None:
+            return _core.ticks(self.kind, low, high, self.most)
+        axes, across = self.axis.axes, self.axis.axis_name == "x"
+        box = axes.get_window_extent()
+        letters = (box.width if across else box.height) * 72.0 / (axes.figure.dpi * self._letter)
+        rows: list[Any] = []
+        # As many as have room, two at least; numbers stand beside each other on one axis, over each
+        # other on the other.
+        for height in (2.0, 1.35):
+            for most in range(9, 0, -1):
+                rows = _core.ticks(self.kind, low, high, most)
+                size = max((0.56 * len(row["label"]) + 1.2 for row in rows), default=0.0)
+                if len(rows) > 1 and len(rows) * (size if across else height) <= letters:
+                    return rows
+        return rows[:1]
+
+
+class CoreLabels(ticker.Formatter):
+    """Their labels."""
+
+    axis: Any
+
+    def __call__(self, value: float, pos: int | None = None) -> str:
+        """Return the label of a tick."""
+        return self.format_ticks([value])[0]
+
+    def format_ticks(self, values: Sequence[float]) -> list[str]:
+        """Return the labels of ticks."""
+        locator = self.axis.get_major_locator()
+        known = {row["value"]: row["label"] for row in locator.rows(*self.axis.get_view_interval())}
+        return [known.get(value, "") for value in values]
 
 
 def power(value: float) -> str:
