@@ -26,7 +26,10 @@ pub(crate) fn run(args: &PosterArgs) -> Result<(), Error> {
     )?;
     check_scale(args.scale).map_err(Error::Drawing)?;
     let problem = Problem::resolve(Request::new(&args.problem, Some(&args.run))?)?;
-    let input = FigureInput::new(problem.hoop, problem.start, problem.limits);
+    let input = FigureInput {
+        units: problem.units,
+        ..FigureInput::new(problem.hoop, problem.start, problem.limits)
+    };
     let output = Output::open(Some(&args.out))?;
     let bar = Bar::new();
     let mut watch = |done, total| bar.show(STARTS, Count { done, total });

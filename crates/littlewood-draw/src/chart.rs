@@ -4,7 +4,7 @@ use littlewood_style::width::FINE;
 
 use crate::figure::{Figure, Key, Mark, Panel, PlotAxis, Series, View, tilted};
 use crate::item::{Corners, Item, STEPS, Step, Words, steps};
-use crate::letters::width;
+use crate::letters::wrapped;
 use crate::marks::{Canvas, MIDDLE, edge};
 use crate::place::{Lead, lead};
 use crate::primitives::{Anchor, Point};
@@ -27,22 +27,11 @@ pub(crate) fn items(figure: &Figure) -> Vec<Item> {
 
 /// The notes in lines as wide as the sheet.
 fn note_lines(figure: &Figure) -> Vec<String> {
-    let room = figure.width - 2.0 * NOTES_LEFT;
-    let mut lines: Vec<String> = Vec::new();
-    // A line does not end within an equation.
-    let notes = figure.notes.iter().map(|note| note.replace(" = ", EQUALS));
-    let notes: Vec<String> = notes.collect();
-    for word in notes.iter().flat_map(|note| note.split(' ')) {
-        let word = &word.replace(EQUALS, " = ");
-        match lines.last_mut() {
-            Some(line) if width(&format!("{line} {word}"), SMALL) <= room => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
+    wrapped(
+        &figure.notes.join(" "),
+        SMALL,
+        figure.width - 2.0 * NOTES_LEFT,
+    )
 }
 
 /// Room that the notes take below the panels.
@@ -52,9 +41,6 @@ pub(crate) fn room_for_notes(figure: &Figure) -> f64 {
         lines => NOTE_ROW * lines as f64 + NOTES_BELOW,
     }
 }
-
-/// Stands for an equals sign with its room, as a part of a word.
-const EQUALS: &str = "\u{a0}=\u{a0}";
 
 /// Where notes begin, the height of a line of them, and the room below them, in pixels.
 const NOTES_LEFT: f64 = 10.0;

@@ -140,6 +140,27 @@ pub fn width(text: &str, size: f64) -> f64 {
     set(text, size).1
 }
 
+/// Stands for an equals sign with its room, as a part of a word.
+const EQUALS: &str = "\u{a0}=\u{a0}";
+
+/// A text with marks in lines no wider than there is room, as far as words are not. A line does not
+/// end within an equation.
+pub fn wrapped(text: &str, size: f64, room: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    let text = text.replace(" = ", EQUALS);
+    for word in text.split(' ').filter(|word| !word.is_empty()) {
+        let word = &word.replace(EQUALS, " = ");
+        match lines.last_mut() {
+            Some(line) if width(&format!("{line} {word}"), size) <= room => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// The pieces of an outline, in thousandths of the size, upwards positive.
 pub(crate) fn outline(path: &str) -> impl Iterator<Item = Segment> {
     let is_kind = |letter: char| letter.is_ascii_uppercase();

@@ -57,7 +57,7 @@ pub use figure::{
     View, tilted,
 };
 pub use font::font;
-pub use letters::{missing, outlines, width};
+pub use letters::{missing, outlines, width, wrapped};
 pub use littlewood_style::{Dash, Rgb, ticks::Tick};
 pub use marks::{STABLE, START, TRANSITION, UNSTABLE, key_of_curve, lift_off_condition};
 pub use markup::{Run, Script, markdown, plain, runs, unicode};

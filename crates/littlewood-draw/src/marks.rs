@@ -1,5 +1,6 @@
 //! The marks: lines, heads of arrows, areas, dots, hoops, in steps of the sheet.
 
+use littlewood_style::width::{BOLD, CURVE};
 use littlewood_style::{Curve, Rgb};
 
 use crate::figure::{HoopShape, Mark};
@@ -36,7 +37,8 @@ pub fn lift_off_condition(slope: f64) -> String {
     marked(Curve::LiftOff.condition(slope))
 }
 
-/// Length and half width of a head of an arrow in pixels.
+/// Length and half width of a head of an arrow in pixels; of a line wider than an emphasised one
+/// they are larger.
 const HEAD: [f64; 2] = [9.0, 3.4];
 
 /// Height and half width of the triangle of a curve that goes on beyond its axes, in pixels.
@@ -65,14 +67,14 @@ impl Canvas {
                 for piece in pieces {
                     self.line(piece, stroke);
                     if let [.., from, to] = piece[..] {
-                        self.head(from, to, stroke.colour, false);
+                        self.head(from, to, stroke, false);
                     }
                 }
             }
             Mark::Head(colour) => {
                 for piece in pieces {
                     if let [from, to, ..] = piece[..] {
-                        self.head(to, from, colour, true);
+                        self.head(to, from, Stroke::solid(colour, BOLD), true);
                     }
                 }
             }
@@ -127,9 +129,11 @@ impl Canvas {
             centre.by(-right, -down)
         };
         self.circle(centre, libm::round(unit) as i32, edge(rim));
-        self.line(&[centre, along(offset)], Stroke { width: 1.0, ..rim });
-        // In a small picture as small as the hoop.
-        let size = f64::clamp(unit / STEPS / LARGE, 0.5, 1.0);
+        let spoke = f64::max(1.0, 0.5 * rim.width);
+        self.line(&[centre, along(offset)], rim.wide(spoke));
+        // In a small picture as small as the hoop; in a bold one as bold as its rim.
+        let bold = f64::max(1.0, rim.width / CURVE);
+        let size = bold * f64::clamp(unit / STEPS / LARGE, 0.5, 1.0);
         self.dot(along(offset), INK, 5.0 * size);
         if h < offset {
             self.mark(Mark::Ring(INK, 3.0 * size), &[vec![along(h)]], unit);
@@ -223,7 +227,7 @@ impl Canvas {
     }
 
     /// A head that points from one point to another: its tip there, or its middle at the second.
-    fn head(&mut self, from: Step, to: Step, colour: Rgb, centred: bool) {
+    fn head(&mut self, from: Step, to: Step, stroke: Stroke, centred: bool) {
         let (dx, dy) = (f64::from(to.x - from.x), f64::from(to.y - from.y));
         let length = libm::sqrt(dx * dx + dy * dy);
         if length == 0.0 {
@@ -234,7 +238,8 @@ impl Canvas {
         } else {
             (dx / length, dy / length)
         };
-        let [long, wide] = HEAD.map(|size| f64::from(steps(size)));
+        let larger = f64::max(1.0, stroke.width / BOLD);
+        let [long, wide] = HEAD.map(|size| f64::from(steps(larger * size)));
         let forward = if centred { 0.5 * long } else { 0.0 };
         let corner = |along: f64, across: f64| {
             to.by(
@@ -248,7 +253,7 @@ impl Canvas {
             corner(forward - 0.75 * long, 0.0),
             corner(forward - long, -wide),
         ];
-        self.polygon(&corners, Paint::Fill(colour));
+        self.polygon(&corners, Paint::Fill(stroke.colour));
     }
 }
 

@@ -60,7 +60,7 @@ impl FigureEntry {
             Make::Soon(make) => make(input),
             Make::OfStarts { check, make } => check(input).and_then(|()| make(input, watch)),
         }?;
-        Ok(Self::finished(figure, input))
+        Ok(finished(figure, input))
     }
 
     /// The figure of one motion, or of none. Of a figure that takes many motions only what it is
@@ -70,17 +70,9 @@ impl FigureEntry {
     /// As [`FigureEntry::figure`].
     pub fn figure_if_quick(&self, input: &FigureInput) -> Result<Option<Figure>, FigureError> {
         match self.make {
-            Make::Soon(make) => make(input).map(|figure| Some(Self::finished(figure, input))),
+            Make::Soon(make) => make(input).map(|figure| Some(finished(figure, input))),
             Make::OfStarts { check, .. } => check(input).map(|()| None),
         }
-    }
-
-    fn finished(mut figure: Figure, input: &FigureInput) -> Figure {
-        figure.caption += input.wording().note();
-        if let Some(units) = &input.units {
-            figure = converted(figure, units);
-        }
-        figure.fitted()
     }
 
     /// The figure as the paper has it.
@@ -90,6 +82,15 @@ impl FigureEntry {
     pub fn of_the_paper(&self) -> Result<Figure, FigureError> {
         self.figure(&FigureInput::of_case(self.case)?)
     }
+}
+
+/// A figure in the units of its input, complete.
+pub(crate) fn finished(mut figure: Figure, input: &FigureInput) -> Figure {
+    figure.caption += input.wording().note();
+    if let Some(units) = &input.units {
+        figure = converted(figure, units);
+    }
+    figure.fitted()
 }
 
 /// A table of figures: the name, the case, the function that makes it, for one of many motions that

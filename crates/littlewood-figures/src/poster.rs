@@ -1,34 +1,37 @@
 //! A poster: the story of one hoop on a page, of figures of the catalogue, with equations and plain
 //! sentences.
 
-use littlewood::Trajectory;
-use littlewood::tables::{Dimension, Quantity, Setup};
+use littlewood::{Cause, Mode, Trajectory};
 use littlewood_draw::{
-    Figure, GRID, Label, Panel, PanelFrame, Piece, PlotAxis, SOFT, Series, Sheet, Stroke, angle,
-    lift_off_condition, marked, plain, short,
+    Figure, GRID, LETTER, Label, POINTS_TO_A_MM, PRINT_POINTS, Panel, PanelFrame, Piece, PlotAxis,
+    SOFT, Series, Sheet, Stroke, lift_off_condition, width, wrapped,
 };
 
-use crate::catalogue::{Watch, find_figure};
+use crate::catalogue::{Watch, find_figure, finished};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::paper::stroboscope;
 
 /// Sides of a poster in millimetres: A3.
-pub const POSTER_MM: [f64; 2] = [297.0, 420.0];
+pub const POSTER_MM: [f64; 2] = [420.0, 297.0];
+
+/// Columns of the page, and how many of them the hoop in equal times takes.
+const COLUMNS: usize = 4;
+const OF_HERO: usize = COLUMNS - 1;
 
 /// Lengths of the page, in pixels of the drawing.
-const NARROWEST: f64 = 1600.0;
+const COLUMN: f64 = 400.0;
 const MARGIN: f64 = 40.0;
-const BETWEEN: f64 = 24.0;
+const BETWEEN: f64 = 30.0;
 const GAP: f64 = 20.0;
 const HEADING: f64 = 21.0;
 const LINE: f64 = 19.0;
-
-/// Widest figure of a column, in pixels.
-const WIDEST: f64 = 760.0;
-
-/// Letters of the usual size for a pixel, such that they fit whatever they are.
-const DENSITY: f64 = 0.146;
+/// Sizes of letters: of the title, what stands below it, the story, a heading, a law.
+const TITLE: f64 = 54.0;
+const SUBTITLE: f64 = 24.0;
+const STORY: f64 = 18.0;
+const HEADING_LETTER: f64 = 20.0;
+const LAW: f64 = 17.0;
 
 /// Lines of a caption.
 const LINES: usize = 3;
@@ -36,60 +39,68 @@ const LINES: usize = 3;
 /// A part of the page: the figures that may stand there, the first that the hoop has is taken.
 type Slot = &'static [&'static str];
 
-/// The figures of a poster in rows, from top to bottom.
-const ROWS: [[Slot; 2]; 2] = [
-    [&["outcomes", "figure-2a"], &["figure-1", "figure-7b"]],
-    [
-        &["figure-2b", "figure-4", "figure-2a"],
-        &["forces", "figure-6b", "figure-5b"],
-    ],
+/// Beside the hoop in equal times, from top to bottom.
+const BESIDE: [Slot; 2] = [
+    &["outcomes", "figure-2a"],
+    &["figure-2b", "figure-4", "figure-2a"],
 ];
 
-/// Beside the equations, at the bottom.
-const LAST: Slot = &["bounces", "energy", "figure-7b", "figure-5b"];
+/// Below it.
+const BELOW: [Slot; 3] = [
+    &["figure-1", "figure-7b"],
+    &["forces", "figure-6b", "figure-5b"],
+    &["bounces", "energy", "figure-7b", "figure-5b"],
+];
 
 /// What may stand where nothing else does.
 const OTHERS: Slot = &["energy", "figure-3a", "figure-2a", "impact", "bounces"];
 
-/// A poster of a hoop and a motion: the hoop at equal intervals of time, the map of outcomes, body,
-/// path, phase portrait, forces, energy, equations. What does not apply to the hoop is replaced by another figure, or by the reason in
-/// words.
+/// A poster of a hoop and a motion: large the hoop at equal intervals of time with its forces, beside
+/// it the map of outcomes and the phase portrait, below the body, forces, energy and equations. What
+/// does not apply to the hoop is replaced by another figure, or by the reason in words.
 ///
 /// # Errors
 /// A start that is out of bounds; none is known otherwise.
 pub fn poster(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figure, FigureError> {
     let motion = input.hoop.simulate(input.start, input.limits)?;
+    let column = of_width(input, COLUMN);
     let mut taken: Vec<&'static str> = Vec::new();
-    let rows = ROWS.map(|row| row.map(|slot| choose(slot, input, &mut taken, watch)));
-    let last = choose(LAST, input, &mut taken, watch);
-    let hero = stroboscope::wide(input, NARROWEST - 2.0 * MARGIN)
-        .ok()
-        .map(Figure::fitted);
+    let mut choose = |slot: Slot| choose(slot, &column, &mut taken, watch);
     let content = Content {
         input,
         motion,
-        hero,
-        rows,
-        last,
+        beside: BESIDE.map(&mut choose),
+        below: BELOW.map(&mut choose),
     };
-    // The page has the proportions of A3. A full one is larger, and all on it smaller in print.
-    let height = content.on_page(NARROWEST).1;
-    let width = NARROWEST.max(height * POSTER_MM[0] / POSTER_MM[1]);
-    let (page, height) = content.on_page(width);
-    Ok(page.finish(width, width * POSTER_MM[1] / POSTER_MM[0], height))
+    // A page that is too low is larger, and all on it smaller in print.
+    let mut width = 2.0 * MARGIN + COLUMNS as f64 * (COLUMN + BETWEEN) - BETWEEN;
+    loop {
+        let (page, height) = content.on_page(width);
+        let room = width * POSTER_MM[1] / POSTER_MM[0];
+        if height <= room {
+            return Ok(page.finish(room, height));
+        }
+        width = f64::max(height * POSTER_MM[0] / POSTER_MM[1], 1.01 * width);
+    }
+}
+
+/// The input of a figure of so many pixels.
+fn of_width(input: &FigureInput, pixels: f64) -> FigureInput {
+    FigureInput {
+        width_mm: Some(pixels * PRINT_POINTS / POINTS_TO_A_MM),
+        ..*input
+    }
 }
 
 /// Columns of the places on a page.
-const COLUMNS: [&str; 2] = ["right", "up"];
+const PLACE: [&str; 2] = ["right", "up"];
 
 /// What stands on a page.
 struct Content<'a> {
     input: &'a FigureInput,
     motion: Trajectory,
-    /// The stroboscope, from side to side; none where there is no motion.
-    hero: Option<Figure>,
-    rows: [[Result<Figure, String>; 2]; 2],
-    last: Result<Figure, String>,
+    beside: [Result<Figure, String>; 2],
+    below: [Result<Figure, String>; 3],
 }
 
 impl Content<'_> {
@@ -101,29 +112,43 @@ impl Content<'_> {
             labels: Vec::new(),
             lines: Vec::new(),
         };
-        let mut top = page.head(self.input, &self.motion);
-        if let Some(hero) = &self.hero {
-            top = page.block(hero, MARGIN, top, width - 2.0 * MARGIN) + GAP;
+        let top = page.head(self.input, &self.motion);
+        let mut ends = [top; COLUMNS];
+        // None where there is no motion.
+        let wide = page.left(OF_HERO) - BETWEEN - MARGIN;
+        let hero = of_width(self.input, wide);
+        if let Ok(hero) = stroboscope::bolder(&hero) {
+            let hero = finished(hero, self.input);
+            ends[..OF_HERO].fill(page.block(&hero, MARGIN, top, wide) + GAP);
         }
-        // Each part goes where there is more room, so that no place stays blank for a figure that
-        // this hoop has not.
-        let mut ends = [top; 2];
-        let next = |ends: &[f64; 2]| usize::from(ends[1] < ends[0]);
-        let all = || self.rows.iter().flatten().chain([&self.last]);
-        for figure in all().filter_map(|figure| figure.as_ref().ok()) {
-            let column = next(&ends);
-            let left = page.left(column);
-            ends[column] = page.block(figure, left, ends[column], page.column()) + GAP;
+        let mut reasons: Vec<&str> = Vec::new();
+        let beside = self.beside.iter().map(|figure| (figure, Some(OF_HERO)));
+        for (figure, own) in beside.chain(self.below.iter().map(|figure| (figure, None))) {
+            // Each goes where there is more room, so that no place stays blank for a figure that
+            // this hoop has not.
+            let column = own.unwrap_or_else(|| highest(&ends));
+            match figure {
+                Ok(figure) => {
+                    let left = page.left(column);
+                    ends[column] = page.block(figure, left, ends[column], page.column()) + GAP;
+                }
+                Err(reason) => reasons.push(reason),
+            }
         }
-        let column = next(&ends);
-        ends[column] = page.equations(self.input, page.left(column), ends[column]);
-        let figures = self.rows.iter().flatten();
-        for reason in figures.filter_map(|figure| figure.as_ref().err()) {
+        for reason in reasons {
+            let column = highest(&ends);
             let (left, top) = (page.left(column), ends[column] + 0.5 * LINE);
-            ends[column] = page.note(reason, left, top, page.letters());
+            ends[column] = page.note(reason, left, top, page.column());
         }
-        (page, f64::max(ends[0] - GAP, ends[1]) + MARGIN)
+        let end = page.laws(self.input, ends.into_iter().fold(top, f64::max));
+        (page, end + 0.5 * MARGIN)
     }
+}
+
+/// The column with the most room.
+fn highest(ends: &[f64; COLUMNS]) -> usize {
+    let by_end = |a: &usize, b: &usize| ends[*a].total_cmp(&ends[*b]);
+    (0..COLUMNS).min_by(by_end).unwrap_or(0)
 }
 
 /// A figure of a slot, or why there is none.
@@ -143,11 +168,10 @@ fn choose(
             continue;
         }
         match entry.figure_with(input, watch) {
-            Ok(figure) if figure.width <= WIDEST => {
+            Ok(figure) => {
                 taken.push(entry.name);
                 return Ok(figure);
             }
-            Ok(_) => {}
             Err(error) => {
                 reason.get_or_insert(format!("No figure of {}: {error}.", entry.title));
             }
@@ -166,12 +190,12 @@ struct Page {
 impl Page {
     /// Width of a column.
     fn column(&self) -> f64 {
-        0.5 * (self.width - 2.0 * MARGIN - BETWEEN)
+        (self.width - 2.0 * MARGIN + BETWEEN) / COLUMNS as f64 - BETWEEN
     }
 
-    /// Letters of a caption in a line of a column.
-    fn letters(&self) -> usize {
-        (DENSITY * self.column()) as usize
+    /// The left end of a column.
+    fn left(&self, column: usize) -> f64 {
+        MARGIN + (self.column() + BETWEEN) * column as f64
     }
 
     fn text(&mut self, text: impl Into<String>, x: f64, y: f64, size: f64) {
@@ -179,44 +203,29 @@ impl Page {
             .push(Label::new(text, &[x, -y]).left().sized(size));
     }
 
+    /// A line from side to side.
+    fn rule(&mut self, y: f64) {
+        let ends = [MARGIN, self.width - MARGIN];
+        self.lines.push(ends.map(|x| vec![x, -y]).to_vec());
+    }
+
     /// Title, the numbers of the hoop, and what happens; returns where the rest begins.
     fn head(&mut self, input: &FigureInput, motion: &Trajectory) -> f64 {
-        self.text("Littlewood's hoop", MARGIN, 58.0, 54.0);
-        let subtitle = if motion.phases().is_empty() {
-            "A hoop with a particle on it, on a rough plane, and a start from which no motion is determined."
-        } else if input.is_massless() {
-            "A hoop without mass, and a particle on it, on a rough plane: it rolls, then glides without any force."
-        } else if input.hoop.offset() == 0.0 {
-            "A hoop with a particle at its centre, on a rough plane: balanced, it never jumps by itself."
-        } else {
-            "A hoop with a particle on it, on a rough plane: it rolls, slides, and jumps by itself."
-        };
-        self.text(subtitle, MARGIN, 108.0, 24.0);
-        let hoop = format!("This hoop: {}.", numbers(input, &Quantity::HOOP));
-        self.text(hoop, MARGIN, 142.0, 18.0);
-        let story = format!(
-            "It starts with {}. {}",
-            numbers(input, &START),
-            story(motion)
-        );
-        let mut y = 168.0;
-        for line in wrapped(&story, (1.5 * self.letters() as f64) as usize, 2) {
-            self.text(line, MARGIN, y, 18.0);
+        self.text("Littlewood's hoop", MARGIN, 58.0, TITLE);
+        self.text(subtitle(input, motion), MARGIN, 108.0, SUBTITLE);
+        let story = format!("This hoop: {}. {}", input.in_words(), story(motion));
+        let mut y = 142.0;
+        for line in wrapped(&story, STORY, self.width - 2.0 * MARGIN) {
+            self.text(line, MARGIN, y, STORY);
             y += 24.0;
         }
-        self.lines
-            .push(vec![vec![MARGIN, -y], vec![self.width - MARGIN, -y]]);
+        self.rule(y);
         y + 16.0
     }
 
-    /// The left end of a column, 0 or 1.
-    fn left(&self, column: usize) -> f64 {
-        MARGIN + (self.column() + BETWEEN) * column as f64
-    }
-
-    /// A few lines of so many letters; returns their lower end.
-    fn note(&mut self, text: &str, left: f64, mut y: f64, letters: usize) -> f64 {
-        for line in wrapped(text, letters, LINES) {
+    /// A few lines of a width; returns their lower end.
+    fn note(&mut self, text: &str, left: f64, mut y: f64, wide: f64) -> f64 {
+        for line in beginning(text, wide) {
             self.labels
                 .push(Label::new(line, &[left, -y]).left().coloured(SOFT));
             y += LINE;
@@ -230,7 +239,12 @@ impl Page {
             .title
             .split_once(": ")
             .map_or(&*figure.title, |(_, title)| title);
-        self.text(capitalised(heading), left, top + 0.5 * HEADING, 20.0);
+        self.text(
+            capitalised(heading),
+            left,
+            top + 0.5 * HEADING,
+            HEADING_LETTER,
+        );
         let (right, down) = (
             left + 0.5 * (wide - figure.width).max(0.0),
             top + HEADING + 6.0,
@@ -241,51 +255,48 @@ impl Page {
             self.panels.push(panel);
         }
         let below = down + figure.height + 16.0;
-        self.note(&figure.caption, left, below, (DENSITY * wide) as usize)
+        self.note(&figure.caption, left, below, wide)
     }
 
-    /// The laws of motion; returns their lower end.
-    fn equations(&mut self, input: &FigureInput, left: f64, top: f64) -> f64 {
-        self.text("The laws", left, top + 0.5 * HEADING, 20.0);
-        let mut y = top + HEADING + 22.0;
+    /// The laws of motion beside each other, below a line; returns their lower end.
+    fn laws(&mut self, input: &FigureInput, top: f64) -> f64 {
+        self.rule(top);
+        let (mut left, mut row, mut end) = (MARGIN, top + 22.0, top);
         for (name, equation) in laws(input) {
-            self.labels.push(
-                Label::new(name, &[left, -y])
-                    .left()
-                    .coloured(SOFT)
-                    .sized(16.0),
-            );
-            for line in equation {
-                self.text(line, left + 120.0, y, 17.0);
-                y += 27.0;
+            let widths = equation.iter().map(|line| width(line, LAW));
+            let wide = widths.fold(0.0, f64::max);
+            if left + wide > self.width - MARGIN && left > MARGIN {
+                (left, row) = (MARGIN, end + 10.0);
             }
-            y += 9.0;
+            let name = Label::new(name, &[left, -row]).left().coloured(SOFT);
+            self.labels.push(name.sized(16.0));
+            let mut y = row;
+            for line in equation {
+                y += 27.0;
+                self.text(line, left, y, LAW);
+            }
+            end = end.max(y + 18.0);
+            left += wide + 2.0 * BETWEEN;
         }
-        let units = "Lengths in radii *R*, times in √(*R*/*g*), masses in that of the particle; ′ is the rate; *m*, *h*: mass \
-                     and distance of the mass centre; *I\u{302}*: moment of inertia about it; *σ* = ±1: direction of the slip.";
-        let y = self.note(units, left, y, self.letters());
-        let source = "After A. Bronars and O. M. O'Reilly, Proc. R. Soc. A 475 (2019), computed by littlewood.";
-        self.labels.push(
-            Label::new(source, &[left, -(y + 8.0)])
-                .left()
-                .coloured(SOFT),
-        );
-        y + 8.0 + LINE
+        let units = "In the laws lengths are in radii *R*, times in √(*R*/*g*), masses in that of the particle; ′ is the rate; *m*, *h*: mass \
+                     and distance of the mass centre; *I\u{302}*: moment of inertia about it; *σ* = ±1: direction of the slip. \
+                     After A. Bronars and O. M. O'Reilly, Proc. R. Soc. A 475 (2019), computed by littlewood.";
+        self.note(units, MARGIN, end + 10.0, self.width - 2.0 * MARGIN)
     }
 
-    /// The figure of a page of these sides of which so much is used.
-    fn finish(self, width: f64, height: f64, used: f64) -> Figure {
+    /// The figure of a page of this height of which so much is used.
+    fn finish(self, height: f64, used: f64) -> Figure {
         let Self {
+            width,
             mut panels,
             labels,
             lines,
-            ..
         } = self;
-        let down = (0.1 * (height - used)).max(0.0);
+        let down = 0.1 * (height - used);
         panels.iter_mut().for_each(|panel| shift(panel, 0.0, down));
-        let x = PlotAxis::silent(COLUMNS[0], [0.0, width].into());
-        let y = PlotAxis::silent(COLUMNS[1], [down - height, down].into());
-        let layers = vec![Series::new("rule", &COLUMNS, lines).drawn(Stroke::solid(GRID, 1.6))];
+        let x = PlotAxis::silent(PLACE[0], [0.0, width].into());
+        let y = PlotAxis::silent(PLACE[1], [down - height, down].into());
+        let layers = vec![Series::new("rule", &PLACE, lines).drawn(Stroke::solid(GRID, 1.6))];
         let content = littlewood_draw::Content {
             name: "page",
             x,
@@ -301,8 +312,8 @@ impl Page {
         Figure {
             name: "poster",
             title: "Littlewood's hoop".to_owned(),
-            caption: "A hoop with a particle on it, on a rough plane: its motion in equal times, the map of outcomes, the body, its \
-                      path, phase portrait, forces, energy and laws."
+            caption: "A hoop with a particle on it, on a rough plane: its motion in equal times, the map of outcomes, the phase \
+                      portrait, the body, forces, energy and laws."
                 .to_owned(),
             width,
             print_mm: Some(POSTER_MM[0]),
@@ -322,22 +333,40 @@ fn shift(panel: &mut Panel, right: f64, down: f64) {
     }
 }
 
-/// What a motion starts with.
-const START: [Quantity; 3] = [Quantity::Theta, Quantity::ThetaRate, Quantity::Slip];
-
-/// Some numbers of a hoop or a start, those that it has.
-fn numbers(input: &FigureInput, quantities: &[Quantity]) -> String {
-    let setup = Setup::new(input.hoop.parameters(), input.start);
-    let words: Vec<String> = quantities
+/// The hoop, and what it does, each thing once.
+fn subtitle(input: &FigureInput, motion: &Trajectory) -> String {
+    let hoop = if input.is_massless() {
+        "A hoop without mass, and a particle on it"
+    } else if input.hoop.offset() == 0.0 {
+        "A hoop with a particle at its centre, balanced"
+    } else {
+        "A hoop with a particle on it"
+    };
+    let leaves = motion
+        .transitions()
         .iter()
-        .filter_map(|quantity| {
-            let value = setup.said(*quantity)?;
-            let is_angle = quantity.dimension() == Dimension::Angle;
-            let number = if is_angle { angle(value) } else { short(value) };
-            Some(format!("{} = {number}", marked(quantity.sign())))
-        })
-        .collect();
-    words.join(", ")
+        .any(|it| it.cause == Cause::LiftOff);
+    let mut verbs: Vec<&str> = Vec::new();
+    for phase in motion.phases() {
+        let verb = match phase.mode() {
+            Mode::Rolling => "rolls",
+            Mode::Sliding => "slides",
+            Mode::Gliding => "glides without any force",
+            Mode::Flight if leaves => "jumps by itself",
+            Mode::Flight => "flies",
+            Mode::Rest => "rests",
+            Mode::Skidding => "slides without turning",
+        };
+        if !verbs.contains(&verb) {
+            verbs.push(verb);
+        }
+    }
+    let does = match &verbs[..] {
+        [] => return format!("{hoop}, on a rough plane: no motion is determined from this start."),
+        [verb] => (*verb).to_owned(),
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+    };
+    format!("{hoop}, on a rough plane: it {does}.")
 }
 
 /// What happens, in a sentence.
@@ -414,37 +443,18 @@ fn capitalised(text: &str) -> String {
     })
 }
 
-/// A text in lines of so many letters; what does not fit in them ends with its last whole sentence.
-fn wrapped(text: &str, letters: usize, lines: usize) -> Vec<String> {
-    let mut found: Vec<String> = Vec::new();
-    let mut begins = 0;
-    // Sentences are taken as long as they fit.
+/// The beginning of a text in a few lines of a width: as many whole sentences as fit.
+fn beginning(text: &str, wide: f64) -> Vec<String> {
     let mut ends: Vec<usize> = text.match_indices(". ").map(|(at, _)| at + 1).collect();
     ends.push(text.len());
+    let mut found: Vec<String> = Vec::new();
     for end in ends {
-        let all = fill(&text[..end], letters);
-        if all.len() > lines && begins > 0 {
+        let lines = wrapped(&text[..end], LETTER, wide);
+        if lines.len() > LINES && !found.is_empty() {
             break;
         }
-        found = all;
-        begins = end;
+        found = lines;
     }
-    found.truncate(lines);
+    found.truncate(LINES);
     found
-}
-
-fn fill(text: &str, letters: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line)
-                if plain(line).chars().count() + 1 + plain(word).chars().count() <= letters =>
-            {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }

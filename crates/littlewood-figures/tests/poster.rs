@@ -26,21 +26,26 @@ fn a_poster_has_the_proportions_of_a3_and_says_what_happens() {
     let page = made(case.setup.hoop, case.setup.start);
     assert!((page.height / page.width - POSTER_MM[1] / POSTER_MM[0]).abs() < 1e-12);
     let texts = texts(&page);
-    for said in ["*θ* = π/2", "sliding, rolling, sliding, flight", "Lift-off"] {
+    for said in [
+        "*θ*(0) = π/2",
+        "it slides, rolls and jumps by itself.",
+        "sliding, rolling, sliding, flight",
+        "Lift-off",
+    ] {
         assert!(texts.iter().any(|text| text.contains(said)), "{said}");
     }
     let svg = page.svg();
     assert!(
-        svg[..600].contains("width=\"297mm\" height=\"420mm\""),
+        svg[..600].contains("width=\"420mm\" height=\"297mm\""),
         "{}",
         &svg[..600]
     );
-    // 297 mm are 841.89 points.
+    // 420 mm are 1190.55 points.
     let pdf = page.pdf();
     let text = String::from_utf8_lossy(&pdf);
     let (_, sides) = text.split_once("/MediaBox").expect("a page");
     let sides: String = sides.chars().take(40).collect();
-    assert!(sides.contains("841.") && sides.contains("1190."), "{sides}");
+    assert!(sides.contains("1190.") && sides.contains("841."), "{sides}");
 }
 
 #[test]
@@ -100,6 +105,15 @@ fn what_does_not_apply_is_replaced() {
             "{name}: {pictures} pictures, {reasons} reasons"
         );
         assert!(pictures >= 2, "{name}: {pictures}");
+        // The largest of all is the hoop in equal times.
+        let area = |panel: &littlewood_draw::Panel| panel.frame.width * panel.frame.height;
+        let largest = page
+            .panels
+            .iter()
+            .filter(|panel| panel.name != "page")
+            .max_by(|a, b| area(a).total_cmp(&area(b)));
+        let largest = largest.expect("a picture").name;
+        assert_eq!(largest, "plane of motion", "{name}");
         for panel in &page.panels {
             let littlewood_draw::PanelFrame {
                 left,

@@ -7,8 +7,8 @@ use clap::Args;
 use super::{ProblemArgs, RunArgs, number};
 
 pub(super) const POSTER: &str = "\
-Draw an A3 poster of a hoop: a map of the outcomes of its starts, its body, path, phase portrait, \
-forces, energy and laws of motion.
+Draw an A3 poster of a hoop: large the hoop at equal intervals of time with its forces, beside it \
+the map of outcomes and the phase portrait, below its body, forces, energy and laws of motion.
 
 The motion is given as in `simulate`. A figure that does not apply to the hoop is replaced by \
 another, or by the reason. The extension of --out chooses the format: .pdf, .svg or .png.";
@@ -30,7 +30,7 @@ pub(crate) struct PosterArgs {
     /// Poster, .pdf, .svg or .png; an existing file is replaced once the drawing is complete
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub(crate) out: PathBuf,
-    /// Pixels of a PNG for each of the 1600 units of the drawing's width: 2 gives 270 dpi
+    /// Pixels of a PNG for 1/96 inch of the poster: 2 gives 192 dpi
     #[arg(
         long,
         value_name = "FACTOR",

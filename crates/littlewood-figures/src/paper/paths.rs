@@ -24,21 +24,21 @@ const HOOPS: usize = 8;
 pub(super) const WIDTH: f64 = 760.0;
 /// Most rows of names under the hoops, and their distance.
 const ROWS: usize = 4;
-const ROW: f64 = 17.0;
+pub(super) const ROW: f64 = 17.0;
 
 /// Distance of the hoops of two bounces, at least, and of those of two swings where there are many.
 const APART: f64 = 1.2;
 const WIDER: f64 = 1.25;
 
 /// An instant at which the hoop is drawn, with its name.
-struct Instant {
+pub(super) struct Instant {
     name: String,
-    sample: Sample,
+    pub(super) sample: Sample,
 }
 
 /// The start and the transitions, the first and the last where there are too many; of bounces those
 /// that are apart, the farther the more there are.
-fn instants(motion: &Shown) -> Vec<Instant> {
+pub(super) fn instants(motion: &Shown) -> Vec<Instant> {
     let mut found = transitions(motion, APART);
     if found.len() > HOOPS {
         let [left, right] = bounds(found.iter().map(|it| it.sample.centre.x), 0.0);
@@ -252,7 +252,12 @@ fn across(motion: &Trajectory, extent: &Extent) -> [f64; 2] {
 
 /// Names under hoops, on a slope where the plane rises, one that is close to another further down;
 /// and in how many rows.
-fn names(instants: &[Instant], say: Wording, slope: f64, unit: f64) -> (Vec<Label>, usize) {
+pub(super) fn names(
+    instants: &[Instant],
+    say: Wording,
+    slope: f64,
+    unit: f64,
+) -> (Vec<Label>, usize) {
     let mut labels: Vec<Label> = Vec::new();
     let mut taken: Vec<(f64, usize, f64)> = Vec::new();
     for Instant { name, sample } in instants {

@@ -5,16 +5,17 @@ use littlewood::tables::Dimension;
 use littlewood::{Mode, Sample};
 use littlewood_draw::{
     Entries, FAINT, FRICTION_FORCE, Figure, INK, Label, Layer, Mark, NORMAL_FORCE, Point, SMALL,
-    Series, Stroke, tilted,
+    Series, Stroke, TRANSITION, tilted,
 };
 use littlewood_style::Dash;
-use littlewood_style::width::{BOLD, FINE};
+use littlewood_style::width::{BOLD, CURVE, FINE};
 
-use super::paths::{Extent, Picture, WIDTH, beneath};
+use super::paths::{Extent, Instant, Picture, ROW, WIDTH, beneath, instants as instants_of, names};
 use crate::columns::{FRICTION, NORMAL, TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::{Shown, bounds, finite_rows, hoops};
+use crate::wording::Wording;
 
 const NAME: &str = "stroboscope";
 /// Radii from hoop to hoop on the average, and how many hoops there are at least and at most.
@@ -31,8 +32,37 @@ const INSTANTS: usize = 400;
 const LONGEST: f64 = 1.5;
 /// Arrows that are shorter than this are not seen.
 const SHORTEST: f64 = 0.03;
-/// An arrow as long as its head, in pixels.
+/// An arrow as long as its head, in pixels, of a line of the usual width.
 const HEAD: f64 = 10.0;
+
+/// How it is drawn.
+struct Look {
+    /// Widths of lines.
+    rim: f64,
+    force: f64,
+    path: f64,
+    /// How many times as wide as high it is at least, about.
+    flat: f64,
+    /// Whether the transitions are marked on the plane, with their names.
+    has_transitions: bool,
+}
+
+const PLAIN: Look = Look {
+    rim: 1.0,
+    force: BOLD,
+    path: FINE,
+    flat: 0.9,
+    has_transitions: false,
+};
+
+/// As it is seen from afar.
+const BOLDER: Look = Look {
+    rim: 2.6,
+    force: 4.2,
+    path: CURVE,
+    flat: 2.6,
+    has_transitions: true,
+};
 
 /// Up to when a motion is shown.
 fn end_of(motion: &Shown) -> f64 {
@@ -86,7 +116,13 @@ const FORCES: [Force; 2] = [
 impl Force {
     /// Its arrows, a radius long where it is so large, a radius so many pixels; one that is shorter
     /// than a head has none.
-    fn arrows(&self, samples: &[Sample], force_of_a_radius: f64, unit: f64) -> Vec<Layer> {
+    fn arrows(
+        &self,
+        samples: &[Sample],
+        force_of_a_radius: f64,
+        unit: f64,
+        look: &Look,
+    ) -> Vec<Layer> {
         let length = |sample: &Sample| (self.of)(sample) / force_of_a_radius;
         let arrow = |sample: &Sample| {
             let (time, x, force) = (sample.state.time, sample.centre.x, (self.of)(sample));
@@ -100,9 +136,11 @@ impl Force {
         let seen = samples
             .iter()
             .filter(|sample| length(sample).abs() > SHORTEST);
+        let stroke = self.stroke.wide(look.force);
+        let head = HEAD * look.force / BOLD;
         let (long, short): (Vec<&Sample>, Vec<&Sample>) =
-            seen.partition(|sample| length(sample).abs() * unit > HEAD);
-        let marks = [Mark::Arrow(self.stroke), Mark::Line(self.stroke)];
+            seen.partition(|sample| length(sample).abs() * unit > head);
+        let marks = [Mark::Arrow(stroke), Mark::Line(stroke)];
         let columns = [TIME, X, Y, self.column];
         [long, short]
             .into_iter()
@@ -115,11 +153,13 @@ impl Force {
     }
 }
 
-/// A force that is as long as a radius: a whole multiple of a power of ten.
-fn force_of_a_radius(largest: f64) -> f64 {
-    let wanted = largest / LONGEST;
+/// A force that is as long as a radius: a whole multiple of a power of ten, in the units of the
+/// picture.
+fn force_of_a_radius(largest: f64, say: Wording) -> f64 {
+    let unit = say.units.map_or(1.0, |units| units.unit(Dimension::Force));
+    let wanted = largest * unit / LONGEST;
     let decade = libm::pow(10.0, libm::floor(libm::log10(wanted)));
-    libm::ceil(wanted / decade) * decade
+    libm::ceil(wanted / decade) * decade / unit
 }
 
 /// The instants, and the time from one to the next.
@@ -143,7 +183,7 @@ fn instants(motion: &Shown, path: &[Sample], until: f64) -> (Vec<Sample>, f64) {
 }
 
 /// Adds the forces and their scale, with their keys; whether there are any.
-fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries) -> bool {
+fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries, look: &Look) -> bool {
     let largest = samples
         .iter()
         .map(|sample| sample.normal.max(sample.friction.abs()))
@@ -151,13 +191,14 @@ fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries) -> 
     if largest <= 0.0 {
         return false;
     }
-    let radius = force_of_a_radius(largest);
+    let radius = force_of_a_radius(largest, picture.say);
     let unit = Picture::unit(&picture.sheet, picture.x.into());
     for force in FORCES {
-        let arrows = force.arrows(samples, radius, unit);
+        let arrows = force.arrows(samples, radius, unit, look);
         // One may be too short to be seen.
         if !arrows.is_empty() {
-            keys.push((Mark::Line(force.stroke), force.letter.to_owned()));
+            let stroke = force.stroke.wide(look.force);
+            keys.push((Mark::Line(stroke), force.letter.to_owned()));
         }
         picture.layers.extend(arrows);
     }
@@ -173,41 +214,53 @@ fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries) -> 
     true
 }
 
-/// The picture, with the times of its first and its last hoop.
+/// The picture, with the times of its first and its last hoop, or the names of its transitions.
 fn picture(
     motion: &Shown,
     input: &FigureInput,
     path: &[Sample],
     samples: &[Sample],
-    width: f64,
+    look: &Look,
 ) -> Result<Picture, FigureError> {
-    let (sheet, say, slope) = (input.sheet(width)?, motion.say, motion.hoop().slope());
+    let (sheet, say, slope) = (input.sheet(WIDTH)?, motion.say, motion.hoop().slope());
     let Extent {
         left,
         right,
         low,
         top,
     } = Extent::of(path, slope);
-    // As wide as the arrows need, and not much higher than wide.
+    // As wide as the arrows need, and not too high.
     let beside = f64::max(
         1.0 + LONGEST * 0.6,
-        0.5 * (0.9 * (top - low + 1.6) - (right - left)),
+        0.5 * (look.flat * (top - low + 1.6) - (right - left)),
     );
     let x = [left - beside, right + beside];
-    let ends = [samples.first(), samples.last()].into_iter().flatten();
-    let labels = ends.map(|sample| {
-        let time = say.value(sample.state.time, Dimension::Time);
-        let text = format!("{} = {time}", say.time());
-        beneath(text, sample.centre.x, 22.0, slope)
-    });
+    let unit = Picture::unit(&sheet, x.into());
+    let mut transitions = None;
+    let (labels, rows) = if look.has_transitions {
+        let instants = instants_of(motion);
+        let at = instants.iter().skip(1);
+        let at = at.map(|Instant { sample, .. }| [sample.state.time, sample.centre.x, 0.0]);
+        let series = Series::of_rows("transition", &[TIME, X, Y], at);
+        transitions = Some(series.drawn(TRANSITION));
+        names(&instants, say, slope, unit)
+    } else {
+        let ends = [samples.first(), samples.last()].into_iter().flatten();
+        let label = |sample: &Sample| {
+            let time = say.value(sample.state.time, Dimension::Time);
+            let text = format!("{} = {time}", say.time());
+            beneath(text, sample.centre.x, 22.0, slope)
+        };
+        (ends.map(label).collect(), 1)
+    };
     let mut picture = Picture {
         sheet,
         say,
         slope,
         x,
-        y: [low - 34.0 / Picture::unit(&sheet, x.into()), top + 1.65],
+        y: [low - (17.0 + ROW * rows as f64) / unit, top + 1.65],
         layers: Vec::new(),
-        labels: labels.collect(),
+        labels,
     };
     picture.layers.extend(picture.ground());
     let particle = path
@@ -216,34 +269,39 @@ fn picture(
     let particle = Series::of_rows("particle", &[TIME, X, Y], finite_rows(particle));
     picture
         .layers
-        .push(particle.drawn(Stroke::solid(FAINT, FINE)));
+        .push(particle.drawn(Stroke::solid(FAINT, look.path)));
+    picture.layers.extend(transitions);
     Ok(picture)
 }
 
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
-    wide(input, WIDTH)
+    of_look(input, &PLAIN)
 }
 
-/// The same, so wide on a screen.
-pub(crate) fn wide(input: &FigureInput, width: f64) -> Result<Figure, FigureError> {
+/// The same in bold lines, with the names of its transitions.
+pub(crate) fn bolder(input: &FigureInput) -> Result<Figure, FigureError> {
+    of_look(input, &BOLDER)
+}
+
+fn of_look(input: &FigureInput, look: &Look) -> Result<Figure, FigureError> {
     let motion = input.motion(NAME)?;
     let (hoop, say) = (motion.hoop(), motion.say);
     let until = end_of(&motion);
     let path: Vec<Sample> = motion.sample_evenly(INSTANTS, until).collect();
     let (samples, step) = instants(&motion, &path, until);
-    let mut picture = picture(&motion, input, &path, &samples, width)?;
+    let mut picture = picture(&motion.up_to(until), input, &path, &samples, look)?;
     let mut keys: Entries = Vec::new();
     for mode in Mode::ALL {
         let mut own = samples.iter().filter(|it| it.mode == mode).peekable();
         if own.peek().is_some() {
-            let rim = Stroke::of_mode(mode).wide(1.0);
+            let rim = Stroke::of_mode(mode).wide(look.rim);
             keys.push((Mark::Line(rim), mode.to_string()));
             picture
                 .layers
                 .push(hoops(hoop, own, format!("hoop, {mode}"), rim));
         }
     }
-    let forces = if add_forces(&mut picture, &samples, &mut keys) {
+    let forces = if add_forces(&mut picture, &samples, &mut keys, look) {
         " Arrows at the point of contact: normal force *N* and friction force *F*."
     } else {
         " The plane exerts no force."
