@@ -1,10 +1,11 @@
 //! The parts of the energy add up to that of the start.
+#![allow(clippy::panic)] // a failed expectation
 
 use crate::common::instants;
 use crate::invariants::{LAW_ROUNDING, size};
 use littlewood::cases::CASES;
 use littlewood::energy::{EnergyLedger, EnergyParts};
-use littlewood::{Hoop, Limits, Mode, RestitutionLaw, Trajectory};
+use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, RestitutionLaw, Start, Trajectory};
 use proptest::prelude::*;
 
 fn sum(energies: &EnergyParts) -> f64 {
@@ -91,6 +92,53 @@ fn the_energy_has_the_zero_of_the_paper() {
     let [low, high] = EnergyLedger::new(&motion).unwrap().scale(&samples);
     assert!((-1.0..-0.999).contains(&low), "{low}");
     assert_eq!(high, 8.0);
+}
+
+/// A slip that sticks where pressing closes the gap: the jam between the two ends no phase.
+#[test]
+fn a_jam_to_which_a_stick_leads_takes_energy() {
+    let hoop = HoopParameters::thin(1.356_047_422_593_375_2e-10)
+        .with_inertia(0.0)
+        .with_friction(2.459_977_907_555_684_8e5, 2.459_977_907_555_684_8e5)
+        .with_rolling_resistance(0.148_703_238_957_026_58)
+        .with_slope(5.537_676_958_089_897e-4)
+        .with_restitution(0.0, RestitutionLaw::Poisson);
+    let start = Start::at(-1e-16, 0.425_739_530_581_016_93);
+    let motion = Hoop::new(hoop)
+        .unwrap()
+        .simulate(start, Limits::until(20.0))
+        .unwrap();
+    let [.., stick, jam] = motion.transitions() else {
+        panic!("{:?}", motion.transitions())
+    };
+    assert_eq!((stick.cause, stick.to), (Cause::Stick, None));
+    assert_eq!((jam.cause, jam.to), (Cause::Jam, Some(Mode::Rest)));
+    check_ledger(&motion).expect("a ledger that adds up");
+    let parts = at(&motion, 20.0).expect("an instant of the motion");
+    assert_eq!(parts.impacts, motion.impact_energy_lost());
+}
+
+/// With so large a χ the last digit of the angle moves the normal force of a slide, and so what
+/// rolling resistance takes.
+#[test]
+fn rolling_resistance_takes_no_more_than_a_slide_loses() {
+    let hoop = HoopParameters::thin(2.941_994_950_376_756_6)
+        .with_inertia(1.064_112_037_521_648_4e-3)
+        .with_friction(0.4, 0.4)
+        .with_rolling_resistance(1e9)
+        .with_slope(-1.581_399_767_137_878_7e-9);
+    let start = Start::at(std::f64::consts::PI.next_down(), -8.313_570_432_352_596e-2);
+    let motion = Hoop::new(hoop)
+        .unwrap()
+        .simulate(start, Limits::until(20.0))
+        .unwrap();
+    let ledger = EnergyLedger::new(&motion).unwrap();
+    for phase in motion.phases() {
+        for elapsed in instants(phase.duration(), 20) {
+            let parts = ledger.parts(&phase.sample(elapsed)).unwrap();
+            assert!((sum(&parts) - parts.start).abs() < 1e-14, "{parts:?}");
+        }
+    }
 }
 
 /// Uphill by x the mass has risen by x sin α: on an incline U is m (y cos α + x sin α) of the mass

@@ -2,10 +2,12 @@
 //! inertia that are next to none.
 #![allow(clippy::panic)] // a failed expectation
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::common::instants;
 use crate::on_limits::Contact;
 use littlewood::derivatives::differentiable;
-use littlewood::modes::{Recurrence, SlideLimit};
+use littlewood::modes::{Margin, Recurrence, SlideLimit, Undecided};
 use littlewood::theory::{Body, Heavy};
 use littlewood::{
     Cause, Hoop, HoopParameters, Limits, Mode, Outcome, OutcomeKind, ParameterError, Proof,
@@ -265,6 +267,45 @@ fn massless_hoops_of_any_offset_leave_no_number_that_is_none() {
         assert_eq!(digits.len(), motion.transitions().len());
     }
     assert!(refused > 10, "{refused}");
+}
+
+/// Where the slip of a massless hoop ends so near to the bottom that the last digit of the angle is
+/// as large as the distance of the particle from the contact point, the energy D θ′²/2 beyond has no
+/// digit: it rose by a factor of five. That distance is 1 − ℓ̂ times one over the sine of the direction
+/// of the velocity, and on the rim twice the ratio of its components.
+#[test]
+fn a_particle_that_passes_the_contact_point_ends_what_doubles_resolve() {
+    let beside_rim = (1.0_f64.next_down(), 1.3213);
+    let fast = Start::at(-1.2377, -1e6).with_slip(1.518);
+    let falling = Start::at(-FRAC_PI_2, -1.0).with_slip((-1.0_f64).next_up());
+    for ((offset, mu), start) in [(beside_rim, fast), ((1.0, 0.5), falling)] {
+        let hoop = HoopParameters::thin(0.0)
+            .with_offset(offset)
+            .with_friction(mu, mu);
+        let hoop = Hoop::new(hoop).expect("a valid hoop");
+        let motion = hoop
+            .simulate(start, Limits::default())
+            .expect("a valid start");
+        let Outcome::Unresolved {
+            state,
+            undecided:
+                Undecided::Rounding {
+                    margin: Margin::ContactDistance,
+                    value,
+                    bound,
+                },
+        } = motion.outcome()
+        else {
+            panic!("{:?}", motion.outcome())
+        };
+        assert!(value <= bound && bound < 2e-15, "{value} {bound}");
+        let (glide, summary) = (motion.phases().last().expect("a glide"), motion.summary());
+        assert!(state.slip == 0.0 && summary.energy.is_nan());
+        assert_eq!(
+            glide.last().map(|end| end.energy),
+            Some(glide.first().energy)
+        );
+    }
 }
 
 /// With μs = 1e9 rolling gives way where N is 1e-19, so that rounding tells the wrong side of the

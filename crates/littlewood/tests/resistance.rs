@@ -808,6 +808,29 @@ fn a_leap_over_turns_agrees_with_their_steps() {
     }
 }
 
+/// With next to no lever the series of a turn converge beyond where the hoop turns back, 118 million
+/// turns uphill: it rolls as a disc, θ″ = sin α + χ cos α.
+#[test]
+fn a_rotation_with_next_to_no_lever_stops_as_a_disc() {
+    let (chi, slope, rate) = (1.239_362_674_555_797e-6, 0.3, 2.098_450_041_597_921e4);
+    let hoop = HoopParameters::thin(0.0)
+        .with_offset(1.109_501_812_704_549e-55)
+        .with_friction(5.9, 0.8)
+        .with_rolling_resistance(chi)
+        .with_slope(slope);
+    let motion = Hoop::new(hoop)
+        .expect("a valid hoop")
+        .simulate(
+            Start::at(0.225_836_815_101_306_15, -rate),
+            Limits::default().with_transitions(1),
+        )
+        .expect("a valid start");
+    let turn = &motion.transitions()[0];
+    let time = rate / (libm::sin(slope) + chi * libm::cos(slope));
+    assert_eq!(turn.cause, Cause::TurningPoint);
+    assert!((turn.time() / time - 1.0).abs() < 1e-13, "{}", turn.time());
+}
+
 /// To first order a turn takes 2 χ ∮N dθ from K = D (1 + u) (eq. normal-of-a-turn): the hoop turns over
 /// the top until K is that of rest there.
 #[test]

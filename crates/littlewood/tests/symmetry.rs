@@ -4,7 +4,8 @@
 use crate::common::{heavy_motion, massless_hoop, moderate_hoop, simulate, start};
 use littlewood::modes::RollingOrbit;
 use littlewood::{
-    Hoop, Limits, Mode, Outcome, Restitution, RestitutionLaw, Start, State, Trajectory,
+    Cause, Hoop, HoopParameters, Limits, Mode, Outcome, Restitution, RestitutionLaw, Start, State,
+    Trajectory,
 };
 use proptest::prelude::*;
 
@@ -61,6 +62,35 @@ pub(crate) fn check_mirror(a: &Trajectory, b: &Trajectory) -> Result<(), TestCas
         }
     }
     Ok(())
+}
+
+/// Two events at once, and a turning point that is known to rounding: a slip without friction begins
+/// and ends with the same sign of θ′, and with a huge μs both limits of friction are at N = 0.
+#[test]
+fn what_rounding_leaves_open_is_mirrored() {
+    let light = HoopParameters::thin(0.0)
+        .with_offset(0.611_534_604_103_437_6)
+        .with_inertia(8.908_575_775_035_093e-8);
+    let resting = Start::at(-15.916_562_038_271_069, -1e-30);
+    let rough = HoopParameters::thin(1e-16)
+        .with_offset(0.25)
+        .with_inertia(6.903_704_552_283_125e-11)
+        .with_friction(1e9, 0.0)
+        .with_rolling_resistance(2.848_459_282_651_698_3e-12);
+    let sliding = Start::at(-1.721_146_047_769_684_7, 1.240_480_058_651_624_3)
+        .with_slip(-4_514.524_561_789_932);
+    for (parameters, start) in [(light, resting), (rough, sliding)] {
+        let hoop = Hoop::new(parameters).expect("a hoop");
+        let motion = simulate(&hoop, start);
+        check_mirror(&motion, &simulate(&hoop, mirrored(start))).expect("the mirror image");
+        if start == resting {
+            let reversal = motion.transitions()[0];
+            assert_eq!(
+                (reversal.cause, reversal.before.theta_rate),
+                (Cause::Reversal, -1e-30)
+            );
+        }
+    }
 }
 
 proptest! {

@@ -44,6 +44,12 @@ named! {
         NormalForce = 11, "normal_force" => ("N of rolling", Dimension::Ratio);
         /// The acceleration with which a velocity leaves zero in the direction of a mode.
         Onset = 12, "onset" => ("the acceleration from rest", Dimension::Ratio);
+        /// The distance of the particle of a massless hoop from the contact point, against the last
+        /// digit of the angle.
+        ContactDistance = 13, "contact_distance" => (
+            "the distance of the particle from the contact point",
+            Dimension::Length
+        );
     }
 }
 

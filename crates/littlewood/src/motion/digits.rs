@@ -82,6 +82,9 @@ impl Hoop {
         let motion = self.simulate(start, limits)?;
         let is_on_limit = motion.starts_on_static_limit();
         let motion = motion.transitions;
+        // The direction of a glide is known after its beginning.
+        let compared = limits.transitions.min(motion.len() + 1);
+        let limits = limits.with_transitions(compared);
         let mut uncertainties = Uncertainties {
             motion: &motion,
             of: vec![Some([0.0; 5]); motion.len()],

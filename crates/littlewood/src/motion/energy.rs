@@ -55,33 +55,32 @@ impl Losses {
 impl<'a> EnergyLedger<'a> {
     /// None for a motion that does not begin.
     pub fn new(trajectory: &'a Trajectory) -> Option<Self> {
+        let (phases, transitions) = (trajectory.phases(), trajectory.transitions());
         let mut lost = Losses::default();
-        // A jam at the start ends no phase.
-        if let Some(first) = trajectory
-            .transitions()
-            .first()
-            .filter(|first| first.from.is_none())
-        {
-            lost.impacts += first.impact.map_or(0.0, |impact| impact.energy_lost());
-        }
-        let start = trajectory.phases().first()?.first().energy + lost.impacts;
-        let mut phases = Vec::with_capacity(trajectory.phases().len());
-        for phase in trajectory.phases() {
-            phases.push(Entry {
+        let mut start = None;
+        let mut entries = Vec::with_capacity(phases.len());
+        let mut counted = 0;
+        for phase in phases {
+            // A jam ends no phase if it comes at the start, or where another event leads to it.
+            let ended_by = phase.ended_by.unwrap_or(transitions.len());
+            for transition in &transitions[counted..ended_by] {
+                lost.impacts += transition.impact.map_or(0.0, |impact| impact.energy_lost());
+            }
+            counted = ended_by;
+            let energy = phase.first().energy;
+            start = start.or(Some(energy + lost.impacts));
+            entries.push(Entry {
                 time: phase.start().time,
-                energy: phase.first().energy,
+                energy,
                 lost,
             });
             lost.add(phase.energy_lost(), phase.rolling_resistance_energy_lost());
-            let impact = trajectory
-                .end_of(phase)
-                .and_then(|transition| transition.impact);
-            lost.impacts += impact.map_or(0.0, |impact| impact.energy_lost());
         }
+        let start = start?;
         Some(Self {
             trajectory,
             start,
-            phases,
+            phases: entries,
         })
     }
 

@@ -20,7 +20,8 @@ pub struct Summary {
     pub transitions: u32,
     /// State at the end, or at the start of an endless phase ([`crate::Outcome::state`]).
     pub end: State,
-    /// Energy at this state (2.8); NaN if a rate is infinite.
+    /// Energy at this state (2.8); NaN if a rate is infinite, or the last digit of the angle leaves
+    /// the energy of a massless hoop open.
     pub energy: f64,
     /// Time of the first slip out of rolling; NaN if none.
     pub first_slip_time: f64,
@@ -221,8 +222,10 @@ impl<'a> SummaryRecorder<'a> {
                 Angle::of(last.theta),
                 Clearance { gap: 0.0, gap_rate },
             );
-            // The energy is NaN if a rate is infinite.
-            summary.energy = if energy.is_finite() {
+            // The energy is NaN if a rate is infinite, or the angle does not tell it.
+            let is_told =
+                outcome != OutcomeKind::Unresolved || hoop.undecided_place(last.theta).is_none();
+            summary.energy = if energy.is_finite() && is_told {
                 origin.energy(energy)
             } else {
                 f64::NAN

@@ -155,9 +155,11 @@ impl Phase {
         let chi = self.hoop.rolling_resistance();
         match &self.solution {
             _ if chi == 0.0 => 0.0,
+            // By the rounding of a large χ it may seem to take more than all.
             PhaseSolution::Sliding(slide) if self.hoop.mu_k() > 0.0 => self
                 .origin
-                .force(chi * slide.pressed_turn(self.elapsed(time))),
+                .force(chi * slide.pressed_turn(self.elapsed(time)))
+                .min(lost),
             PhaseSolution::Sliding(_) | PhaseSolution::ResistedRolling(_) => lost,
             PhaseSolution::Rolling(_)
             | PhaseSolution::Gliding(_)
@@ -185,10 +187,12 @@ impl Phase {
             Some(end) if elapsed >= duration => end,
             Some(_) | None => self.solution.state(elapsed),
         };
-        self.origin.sample(
-            self.solution
-                .sample(&self.hoop, state, elapsed.min(duration).max(0.0)),
-        )
+        self.sample_of(state, elapsed.min(duration).max(0.0))
+    }
+
+    fn sample_of(&self, state: State, elapsed: f64) -> Sample {
+        self.origin
+            .sample(self.solution.sample(&self.hoop, state, elapsed))
     }
 
     /// The first sample.
@@ -198,8 +202,9 @@ impl Phase {
 
     /// The last sample, before the transition that ends the phase; none for an endless phase.
     pub fn last(&self) -> Option<Sample> {
+        // A phase may be shorter than the last digit of the time.
         self.end
-            .map(|_| self.relative_sample(self.relative_duration()))
+            .map(|end| self.sample_of(end, self.relative_duration()))
     }
 }
 

@@ -197,10 +197,13 @@ impl NextMotion {
                     &exact_inputs(hoop, &body, state, arrival),
                 ),
             },
-            Body::Massless(body) if hoop.rolling_resistance() > 0.0 => {
-                resisted::massless(hoop, &body, state, arrival)
-            }
-            Body::Massless(body) => massless(hoop, &body, state, arrival),
+            Body::Massless(body) => match (arrival, hoop.undecided_place(state.theta)) {
+                (Arrival::GlideAtRest { .. }, Some(undecided)) => Self::Undecided(undecided),
+                _ if hoop.rolling_resistance() > 0.0 => {
+                    resisted::massless(hoop, &body, state, arrival)
+                }
+                _ => massless(hoop, &body, state, arrival),
+            },
         }
     }
 

@@ -229,10 +229,16 @@ impl<'a> Exact<'a> {
                 cause: Cause::TurningPoint,
                 arrival: Arrival::Held(held),
             },
-            ResistedEnd::Limit { state, limit } => PhaseEnd::Event {
-                point: state,
-                cause: limit.cause(),
-                arrival: Arrival::RollingLimit(limit),
+            ResistedEnd::Limit {
+                state: point,
+                limit,
+            } => match self.hoop.undecided_place(point.theta) {
+                None => PhaseEnd::Event {
+                    point,
+                    cause: limit.cause(),
+                    arrival: Arrival::RollingLimit(limit),
+                },
+                Some(undecided) => Self::unresolved(*state, undecided),
             },
             ResistedEnd::TimeLimit(state) => self.stopped(state),
             ResistedEnd::StepLimit(state) => {
@@ -340,11 +346,16 @@ impl Solver for Exact<'_> {
                 let undecided = Undecided::overflow(Quantity::ThetaRate, end.theta_rate);
                 Self::unresolved(*state, undecided)
             }
-            Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => PhaseEnd::Event {
-                point: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
-                cause: end.limit.cause(),
-                arrival: Arrival::RollingLimit(end.limit),
-            },
+            Some(end) if allowed.is_none_or(|allowed| end.elapsed <= allowed) => {
+                match self.hoop.undecided_place(end.theta) {
+                    None => PhaseEnd::Event {
+                        point: rolling.state_at(end.theta, end.theta_rate, end.elapsed),
+                        cause: end.limit.cause(),
+                        arrival: Arrival::RollingLimit(end.limit),
+                    },
+                    Some(undecided) => Self::unresolved(*state, undecided),
+                }
+            }
             Some(_) => self.stopped(rolling.state(allowed.unwrap_or(0.0))),
             None if rolling.orbit().leaves_bounds() => {
                 let undecided = Undecided::Range {

@@ -142,8 +142,8 @@ pub enum Outcome {
     /// impact beyond the bounds of θ and x of a start, with velocities that overflow or a gap rate
     /// that underflows, or where rounding decides between stick and slip. Or an unbalanced hoop
     /// that rolls down a slope beyond these bounds, a flight of more turns than doubles resolve, or
-    /// a massless hoop whose particle is at the plane but for rounding. It names the number that
-    /// decides.
+    /// a massless hoop whose particle passes the contact point, but for rounding. It names the number
+    /// that decides.
     Unresolved { state: State, undecided: Undecided },
 }
 

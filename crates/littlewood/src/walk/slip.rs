@@ -173,7 +173,7 @@ impl LastSlip {
         })
     }
 
-    /// The nearest of the four states (±θ, ±θ′) of the slip, with the arrival there.
+    /// The nearer of the states (±θ, θ′) of the slip, with the arrival there.
     fn back_on_limit(&self, state: &State) -> Option<RestPoint> {
         let [turned, mirrored] = [self.state.theta, -self.state.theta]
             .map(|angle| same_direction_near(angle, state.theta));
@@ -185,9 +185,10 @@ impl LastSlip {
             return None;
         }
         let is_turned = from_turned <= from_mirrored;
-        // With |F| > μs N it slips at all four states.
-        let slips =
-            !self.is_on_limit || is_turned == (state.theta_rate * self.state.theta_rate > 0.0);
+        // By the momentum −θ′ (1 + h cos θ) of η′ = 0 it turns as at the slip. With |F| > μs N it slips
+        // at all four states.
+        let theta_rate = self.state.theta_rate;
+        let slips = !self.is_on_limit || is_turned || theta_rate == 0.0;
         let direction = if is_turned || keeps {
             self.direction
         } else {
@@ -195,7 +196,7 @@ impl LastSlip {
         };
         Some(RestPoint {
             theta: if is_turned { turned } else { mirrored },
-            theta_rate: self.state.theta_rate.abs().copysign(state.theta_rate),
+            theta_rate,
             arrival: Arrival::BackOnLimit(slips.then_some(direction)),
         })
     }

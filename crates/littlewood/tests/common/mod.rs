@@ -86,19 +86,18 @@ pub(crate) fn moderate_hoop() -> impl Strategy<Value = Hoop> {
         )
 }
 
-/// Massless hoops, the particle on the rim or inside.
+/// Massless hoops, the particle on the rim, inside, or inside by as little as a double may be.
 pub(crate) fn massless_hoop() -> impl Strategy<Value = Hoop> {
-    (prop_oneof![2 => Just(1.0), 1 => 0.05..1.0_f64], friction()).prop_filter_map(
-        "a massless hoop",
-        |(offset, (mu_s, mu_k))| {
-            Hoop::new(
-                HoopParameters::thin(0.0)
-                    .with_offset(offset)
-                    .with_friction(mu_s, mu_k),
-            )
-            .ok()
-        },
-    )
+    let beside_rim = (-16.0..-1.0_f64).prop_map(|power| 1.0 - libm::exp10(power));
+    let offset = prop_oneof![2 => Just(1.0), 1 => 0.05..1.0_f64, 1 => beside_rim];
+    (offset, friction()).prop_filter_map("a massless hoop", |(offset, (mu_s, mu_k))| {
+        Hoop::new(
+            HoopParameters::thin(0.0)
+                .with_offset(offset)
+                .with_friction(mu_s, mu_k),
+        )
+        .ok()
+    })
 }
 
 fn angle() -> impl Strategy<Value = f64> {
@@ -121,6 +120,13 @@ fn slip() -> impl Strategy<Value = f64> {
 /// Starts anywhere.
 pub(crate) fn start() -> impl Strategy<Value = Start> {
     (angle(), rate(), slip()).prop_map(|(theta, rate, slip)| Start::at(theta, rate).with_slip(slip))
+}
+
+/// The same, and starts with the rates and slips of any size that is accepted.
+pub(crate) fn slow_or_fast_start() -> impl Strategy<Value = Start> {
+    let fast = (angle(), signed_power(0.0..6.0), signed_power(-6.0..6.0))
+        .prop_map(|(theta, rate, slip)| Start::at(theta, rate).with_slip(slip));
+    prop_oneof![2 => start(), 1 => fast]
 }
 
 /// A hoop with a start that lies on a boundary of its phase plane, to the last digit or nearly so.

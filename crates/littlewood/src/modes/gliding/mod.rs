@@ -267,10 +267,14 @@ impl Gliding {
             clearance: Clearance::NONE,
         };
         let mut sample = instant.sample(hoop, state);
-        if state.theta_rate.is_infinite() {
-            // At the bottom the particle has its velocity, but no arm: the energy is that of the
-            // whole glide, and the accelerations tend to infinity.
+        let is_infinite = state.theta_rate.is_infinite();
+        if is_infinite || hoop.undecided_place(state.theta).is_some() {
+            // At the bottom the particle has its velocity, but no arm, or next to it one that the
+            // angle does not tell: the energy is that of the whole glide.
             sample.energy = energy(hoop, &self.start, 0.0, 0.0);
+        }
+        if is_infinite {
+            // The accelerations tend to infinity.
             sample.theta_acceleration = self.particle.side * f64::INFINITY;
             let towards = if self.particle.inside > 0.0 {
                 1.0

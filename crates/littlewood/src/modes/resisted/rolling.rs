@@ -355,12 +355,18 @@ impl ResistedRolling {
         };
         for _ in 0..MAX_STEPS_PER_TURN {
             let mut series = RollingSeries::new(&self.law, place, DEGREE);
-            let reach = series.convergence_radius(f64::INFINITY);
-            let next = series.point(reach);
-            if next.rate.is_nan() || heading * next.rate <= 0.0 {
-                return None;
+            let mut reach = series.convergence_radius(MAX_TIME);
+            let mut next = series.point(reach);
+            let turns_back = heading * next.rate <= 0.0;
+            if turns_back {
+                // Perhaps behind the end of the turn: next to no offset the series converge for long.
+                reach = crossing(&series.theta_rate.map(|c| heading * c), reach)?;
+                next = series.point(reach);
             }
             let is_last = heading * (next.theta - end) >= 0.0;
+            if next.rate.is_nan() || turns_back && !is_last {
+                return None;
+            }
             let width = if is_last {
                 root(&series.theta, end, -heading, reach)
             } else {
@@ -465,7 +471,12 @@ impl ResistedRolling {
             let margin = series.margin(self.mu_s, direction.sign());
             (margin, Event::Limit(RollingLimit::Friction(direction)))
         };
-        let [back, forth] = SlipDirection::ALL.map(slip);
+        // Of two at once the first counts, in the frame of the motion.
+        let [back, forth] = match self.direction {
+            RotationDirection::Positive => SlipDirection::ALL,
+            RotationDirection::Negative => SlipDirection::ALL.map(SlipDirection::reversed),
+        }
+        .map(slip);
         // Otherwise friction gives way before N vanishes.
         let unloads = self.law.is_massless();
         let unloaded = unloads.then_some((series.normal, Event::Limit(RollingLimit::NormalForce)));
