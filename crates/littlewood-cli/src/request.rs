@@ -75,6 +75,25 @@ impl Request {
         })
     }
 
+    /// Whether anything was asked for that makes one motion another.
+    #[cfg(feature = "figures")]
+    pub(crate) fn is_about_a_motion(&self) -> bool {
+        let Self {
+            case,
+            scenario,
+            flags,
+            law,
+            si,
+            max_transitions,
+            max_slides,
+            proof,
+            overrides: _,
+        } = self;
+        let numbers = max_transitions.is_some() || max_slides.is_some();
+        let words = law.is_some() || proof.is_some() || *si;
+        case.is_some() || scenario.is_some() || !flags.is_empty() || numbers || words
+    }
+
     /// Whether SI units are asked for other than by a number that has one.
     pub(crate) fn is_si(&self) -> bool {
         let in_file = self

@@ -25,6 +25,31 @@ fn a_poster_is_a_drawing_or_a_picture() {
 }
 
 #[test]
+fn the_chart_is_of_the_paper_alone() {
+    let folder = TempDir::new().expect("a folder");
+    let path = folder.path().join("a.svg");
+    let out = path.to_str().expect("UTF-8");
+    for more in [
+        &["figure-3"][..],
+        &["--mu-s", "1"],
+        &["--si"],
+        &["--max-transitions", "3"],
+    ] {
+        let words = [&["poster", "--chart", "--out", out], more].concat();
+        let message = complaint(&words, 2);
+        assert!(message.contains("no other"), "{message}");
+    }
+    assert!(!path.exists());
+    text(&["poster", "--chart", "--out", out]);
+    let svg = fs::read_to_string(&path).expect("a chart");
+    assert!(
+        svg[..600].contains("width=\"594mm\" height=\"420mm\""),
+        "{}",
+        &svg[..600]
+    );
+}
+
+#[test]
 fn another_ending_and_a_scale_out_of_bounds_are_refused() {
     let folder = TempDir::new().expect("a folder");
     let path = folder.path().join("a.doc");

@@ -30,6 +30,8 @@ pub(crate) const ORBIT: [&str; 3] = [THETA, THETA_RATE, ENERGY];
 
 /// The coordinates of a point, which may be that of the centre, the mass centre or the particle.
 pub(crate) const Y: &str = "y";
+/// An energy, less what it was at the start.
+pub(crate) const ENERGY_CHANGE: &str = "energy_change";
 /// What a motion has lost.
 pub(crate) const LOST: &str = "energy_lost";
 /// |F|/N.
@@ -43,7 +45,7 @@ pub(crate) const LOG_GAP_RATE: &str = "log10_gap_rate";
 pub(crate) fn dimension(column: &str) -> Dimension {
     let own = match column {
         Y => Some(Dimension::Length),
-        W | LOST => Some(Dimension::Energy),
+        W | LOST | ENERGY_CHANGE => Some(Dimension::Energy),
         IMPULSE | NORMAL_IMPULSE | FRICTION_IMPULSE => Some(Dimension::Impulse),
         _ => None,
     };

@@ -22,6 +22,10 @@ const NEARLY_EQUAL: f64 = 1e-2;
 /// Half swings that are followed to the rest, and transitions of motions that each take long.
 const HALF_SWINGS: f64 = 60.0;
 const FEW_PHASES: usize = 24;
+/// Half swings from which on the rest is out of reach, and until when motions are then followed that
+/// may roll on for thousands of turns.
+const HARDLY_RESISTED: f64 = 1e4;
+const SOON: f64 = 200.0;
 /// With less friction each slide goes on for many turns.
 const LITTLE_FRICTION: f64 = 1e-4;
 
@@ -40,8 +44,9 @@ pub(crate) enum Effort {
     Simulated,
     /// Half swings against rolling resistance, which are simulated.
     Resisted {
-        /// Whether they are many.
+        /// Whether they are many, and whether their end is out of reach.
         many: bool,
+        endless: bool,
     },
     /// Many reversals, or many phases that are simulated.
     Long,
@@ -52,14 +57,20 @@ pub(crate) enum Effort {
 impl Effort {
     /// Of a hoop, whose motions are stopped at limits and followed by an engine.
     pub(crate) fn of(hoop: &Hoop, limits: Limits, engine: &Engine) -> Self {
+        let resists = hoop.rolling_resistance() > 0.0;
         if matches!(hoop.body(), Body::Massless(_)) {
-            return Self::Tables;
+            return if resists {
+                Self::Simulated
+            } else {
+                Self::Tables
+            };
         }
-        if hoop.rolling_resistance() > 0.0 {
+        if resists {
             // A half swing of any width loses about 2χ/h or more.
             let half_swings = PI * hoop.h() / (2.0 * hoop.rolling_resistance());
             return Self::Resisted {
                 many: half_swings > HALF_SWINGS,
+                endless: half_swings > HARDLY_RESISTED,
             };
         }
         if engine.is_exact() && hoop.h() > BALANCED && hoop.mu_k() > 0.0 {
@@ -103,10 +114,17 @@ impl Effort {
             Self::Tables | Self::Direct | Self::Bounces => BOUNCES,
             Self::Chains => usize::MAX,
             Self::Slow if engine.is_exact() => FEW_PHASES,
-            Self::Resisted { many: true } => FEW_PHASES,
-            Self::Simulated | Self::Resisted { many: false } | Self::Long | Self::Slow => LONG,
+            Self::Resisted { many: true, .. } => FEW_PHASES,
+            Self::Simulated | Self::Resisted { many: false, .. } | Self::Long | Self::Slow => LONG,
         };
-        limits.with_transitions(limits.transitions.min(most))
+        let endless = matches!(self, Self::Resisted { endless: true, .. });
+        let until = if endless {
+            Some(limits.until.map_or(SOON, |until| until.min(SOON)))
+        } else {
+            limits.until
+        };
+        let transitions = limits.transitions.min(most);
+        limits.with_transitions(transitions).with_until(until)
     }
 }
 

@@ -37,6 +37,7 @@
 
 mod axes;
 mod catalogue;
+mod chart;
 mod columns;
 mod effort;
 mod error;
@@ -44,6 +45,7 @@ mod fate;
 mod impacts;
 mod input;
 mod motion;
+mod page;
 mod paper;
 mod plane;
 mod poster;
@@ -55,6 +57,7 @@ mod wording;
 pub use catalogue::{
     FIGURES, FigureEntry, GALLERY_SCALE, Watch, find_figure, gallery_page, instead_of,
 };
+pub use chart::{CHART_MM, chart};
 pub use error::FigureError;
 pub use input::FigureInput;
 pub use littlewood_draw::*;

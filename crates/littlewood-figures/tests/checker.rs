@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use littlewood::Limits;
+use littlewood::{Limits, Mode};
 use littlewood_figures::{FIGURES, Figure, FigureInput, Layer, Mark, Panel, Shape, Stroke, View};
 use littlewood_random::Draw;
 
@@ -21,6 +21,7 @@ enum Defect {
     KeyWithoutMark,
     CutWithoutMark,
     AlikeInGrey,
+    ChangeUnseen,
 }
 
 /// Pixels by which the box of letters reaches beyond their ink.
@@ -109,6 +110,45 @@ fn is_cut(panel: &Panel, layer: &Layer) -> bool {
     layer.series.rows().any(is_out) && !is_marked
 }
 
+/// The least part of an axis by which a curve has to change to be seen, and the part of a value that
+/// is rounding.
+const SEEN: f64 = 0.02;
+const ROUNDING: f64 = 1e-9;
+
+/// Whether several quantities change in time, and none of them by as much as can be seen.
+fn changes_unseen(panel: &Panel) -> bool {
+    let View::Plane {
+        x, y, axes: true, ..
+    } = &panel.view
+    else {
+        return false;
+    };
+    // Modes are parts of one quantity.
+    let is_mode = |name: &str| Mode::ALL.iter().any(|mode| mode.name() == name);
+    let is_data = |layer: &&Layer| {
+        let name = layer.series.name.as_str();
+        !FRAME.contains(&name) && !is_mode(name)
+    };
+    let lines = panel.layers.iter().filter(is_data);
+    let lines =
+        lines.filter(|layer| matches!(layer.mark, Mark::Line(stroke) if stroke.width > 1.0));
+    let changes: Vec<[f64; 2]> = lines
+        .filter_map(|layer| {
+            let place = layer.series.column(&y.column)?;
+            let values = || layer.series.rows().map(|row| row[place]);
+            let (low, high) = (
+                values().fold(f64::INFINITY, f64::min),
+                values().fold(f64::NEG_INFINITY, f64::max),
+            );
+            Some([high - low, f64::max(low.abs(), high.abs())])
+        })
+        .collect();
+    let size = changes.iter().map(|[_, size]| *size).fold(0.0, f64::max);
+    let some_changes = changes.len() > 1 && changes.iter().any(|[by, _]| *by > ROUNDING * size);
+    let none_is_seen = changes.iter().all(|[by, _]| *by < SEEN * y.range.length());
+    x.column == "time" && some_changes && none_is_seen
+}
+
 fn panels(figure: &Figure, found: &mut Vec<(Defect, String)>) {
     let marks: Vec<Mark> = figure
         .panels
@@ -124,6 +164,9 @@ fn panels(figure: &Figure, found: &mut Vec<(Defect, String)>) {
             .any(|label| label.text.starts_with("nothing to show"));
         if !says_so && !shows_something(panel) {
             found.push((Defect::PanelWithoutInk, panel.name.to_owned()));
+        }
+        if changes_unseen(panel) {
+            found.push((Defect::ChangeUnseen, panel.name.to_owned()));
         }
         let is_like = |key: &Mark, mark: &Mark| match (key, mark) {
             (Mark::Line(a), Mark::Line(b) | Mark::Arrow(b)) => {

@@ -13,6 +13,7 @@ use crate::support::{figure_2, map, workers};
 use littlewood::tables::{Class, Quantity, Setup, SummaryColumn};
 use littlewood::theory::PhasePlane;
 use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start};
+use littlewood_draw::GRID;
 use littlewood_style::{Curve, Theme, of_class};
 use littlewood_sweep::{
     Axis, Chunk, Columns, Grid, Options, Picture, PictureError, PictureSize, Progress, Shade,
@@ -343,4 +344,57 @@ fn each_curve_is_where_its_equation_holds() {
         );
         assert!(parameters.mass_ratio > 0.0 || seen[2] == 0, "{seen:?}");
     }
+}
+
+#[test]
+fn what_changes_from_point_to_point_has_one_tint_and_its_part_in_the_key() {
+    // After many bounces sequences depend on the last digits.
+    let law = RestitutionLaw::Energetic;
+    let bouncing = figure_2()
+        .hoop
+        .with_friction(0.1, 0.05)
+        .with_restitution(0.9, law);
+    let base = Setup::new(bouncing, Start::at(0.0, 0.0));
+    let grid = Grid::new(base, map(60).axes().to_vec()).unwrap();
+    let size = PictureSize {
+        width: 600,
+        height: 400,
+    };
+    let limits = Limits::default().with_transitions(300);
+    let (workers, options) = (workers(2), Options::default());
+    let picture =
+        Picture::of_grid(&grid, limits, Shade::Sequence, size, &workers, &options).unwrap();
+    let figure = picture.figure(None).unwrap();
+    let plane = figure.panels.last().unwrap();
+    let mixed = plane
+        .layers
+        .iter()
+        .find(|layer| layer.series.name == "mixed")
+        .unwrap();
+    // Closed curves, counterclockwise about what is mixed.
+    let area = mixed.series.pieces.iter().map(|piece| {
+        let edges = piece.iter().zip(piece.iter().cycle().skip(1));
+        edges
+            .map(|(a, b)| 0.5 * (a[0] * b[1] - b[0] * a[1]))
+            .sum::<f64>()
+    });
+    let part = format!("{:.1} %", 100.0 * area.sum::<f64>());
+    let keys: Vec<&str> = plane.keys.iter().map(|key| &*key.text).collect();
+    let own = format!("of these mixed more finely than drawn, {part}");
+    assert!(keys.contains(&&*own), "{own}: {keys:?}");
+    // Not followed to its boundaries a picture has the same tint.
+    let mut points = Picture::new(&grid, limits, Shade::Sequence, size).unwrap();
+    let mut add = |chunk: &Chunk, columns: &Columns| points.add(chunk, columns);
+    sweep_grid(&grid, limits, &[], Some(&mut add), &workers, &options).unwrap();
+    let tint = |picture: &Picture| {
+        let (_, _, pixels) = decode(&picture.png().unwrap());
+        let own = pixels.chunks_exact(3).filter(|pixel| **pixel == GRID.0);
+        own.count() as f64 / (pixels.len() / 3) as f64
+    };
+    let [followed, found] = [tint(&picture), tint(&points)];
+    // Boundaries cut the corners of cells.
+    assert!(
+        followed > 0.02 && (0.8..1.25).contains(&(followed / found)),
+        "{followed} {found}"
+    );
 }

@@ -25,6 +25,10 @@ pub(super) fn of(error: &Error) -> Option<Cow<'_, str>> {
         Error::UnknownFigure { hint, .. } => hint.as_str().into(),
         #[cfg(feature = "figures")]
         Error::FigureRemoved { instead, .. } => (*instead).into(),
+        #[cfg(feature = "figures")]
+        Error::ChartOfAHoop => {
+            "leave out --chart for a poster of this hoop, or the case and the flags".into()
+        }
         #[cfg(feature = "lab")]
         Error::NoPage { hint, .. } => hint.as_str().into(),
         Error::Missing { flags, .. } => format!(

@@ -88,6 +88,9 @@ pub(crate) enum Error {
     #[error("the figure '{name}' was removed")]
     FigureRemoved { name: String, instead: &'static str },
     #[cfg(feature = "figures")]
+    #[error("the chart shows the hoops of the paper, and no other")]
+    ChartOfAHoop,
+    #[cfg(feature = "figures")]
     #[error("{0}")]
     Figure(FigureError),
     #[error("{0}")]

@@ -10,7 +10,9 @@ use littlewood_draw::{
 use littlewood_style::width::{BOLD, CURVE, FINE};
 use littlewood_style::{Curve, Dash, EnergyPart};
 
-use crate::columns::{COUPLE, DEMAND, ENERGY, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME};
+use crate::columns::{
+    COUPLE, DEMAND, ENERGY, ENERGY_CHANGE, FRICTION, LOST, MU_K, MU_S, NORMAL, TIME,
+};
 use crate::error::FigureError;
 use crate::impacts;
 use crate::input::FigureInput;
@@ -235,17 +237,69 @@ fn drops(motion: &Shown) -> Option<Layer> {
         .then(|| Series::new("lost in an impact", &[TIME, ENERGY], pieces).drawn(DROP))
 }
 
-/// The energies, with what their lines mean.
-fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>) {
+/// Energies that change by less than this part of the largest of them are shown from the start on.
+const SMALL_CHANGE: f64 = 0.05;
+
+/// The lowest and the highest value of the second column.
+fn ends_of(series: &Series) -> [f64; 2] {
+    let values = series.rows().map(|row| row[1]);
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    })
+}
+
+/// Some energies less what each was at the start, and these values, if they hardly change.
+fn changes(energies: &mut [Series; 3]) -> Option<[f64; 3]> {
+    let ends = energies.each_ref().map(ends_of);
+    let size = ends
+        .iter()
+        .flatten()
+        .fold(0.0, |size, end| end.abs().max(size));
+    let change = ends
+        .iter()
+        .map(|[low, high]| high - low)
+        .fold(0.0, f64::max);
+    if !(NOISE * size..SMALL_CHANGE * size).contains(&change) {
+        return None;
+    }
+    Some(energies.each_mut().map(|series| {
+        let first = series.rows().next().map_or(0.0, |row| row[1]);
+        from_value(series, first);
+        // A rest of rounding is nothing.
+        if first.abs() < NOISE * size {
+            0.0
+        } else {
+            first
+        }
+    }))
+}
+
+/// A series of energies less a value.
+fn from_value(series: &mut Series, value: f64) {
+    series.columns[1] = ENERGY_CHANGE.into();
+    for row in series.pieces.iter_mut().flatten() {
+        row[1] -= value;
+    }
+}
+
+/// The energies, with what their lines mean, and what is noted of them.
+fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>, Option<String>) {
     let hoop = motion.hoop();
     let history = |name, value: &dyn Fn(&Sample) -> f64| {
         motion.history(name, ENERGY, |_, sample| Some(value(sample)))
     };
     let potential_of = |sample: &Sample| sample.potential_energy(hoop);
-    let total = history("total energy", &|sample| sample.energy);
-    let kinetic = history("kinetic energy", &|it| it.energy - potential_of(it));
-    let potential = history("potential energy", &potential_of);
-    let drops = drops(motion);
+    let mut energies = [
+        history("total energy", &|sample| sample.energy),
+        history("kinetic energy", &|it| it.energy - potential_of(it)),
+        history("potential energy", &potential_of),
+    ];
+    let mut drops = drops(motion);
+    let starts = changes(&mut energies);
+    if let (Some([total, ..]), Some(drops)) = (starts, &mut drops) {
+        from_value(&mut drops.series, total);
+    }
+    let [total, kinetic, potential] = energies;
     let lost_at_once = drops.iter().map(|layer| &layer.series);
     let range = range_of(
         [&total, &kinetic, &potential]
@@ -253,7 +307,11 @@ fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>) {
             .chain(lost_at_once),
         &[0.0],
     );
-    let y = motion.say.axis(ENERGY, "energy", range);
+    let (column, title) = match starts {
+        None => (ENERGY, "energy"),
+        Some(_) => (ENERGY_CHANGE, "change of energy"),
+    };
+    let y = motion.say.axis(column, title, range);
     let part =
         |part: EnergyPart, dash| Mark::Line(Stroke::solid(part.colour(THEME), CURVE).dashed(dash));
     let lines = [
@@ -273,7 +331,7 @@ fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>) {
         .iter()
         .map(|(_, mark, words)| (*mark, (*words).to_owned()))
         .collect();
-    let mut layers = motion.ground(&y, ENERGY);
+    let mut layers = motion.ground(&y, column);
     // The total above its parts.
     let drawn = lines.into_iter().rev();
     layers.extend(drawn.map(|(series, mark, _)| series.drawn(mark)));
@@ -281,7 +339,14 @@ fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>) {
         keys.push((drops.mark, EnergyPart::Impacts.label().to_owned()));
         layers.push(drops);
     }
-    (motion.panel("energy", y, layers, Vec::new()), keys)
+    let note = starts.map(|starts| {
+        let [total, kinetic, potential] =
+            starts.map(|value| motion.say.value(value, Dimension::Energy));
+        format!(
+            "Energies are drawn from the start on, where *E* = {total}, *T* = {kinetic}, *U* = {potential}."
+        )
+    });
+    (motion.panel("energy", y, layers, Vec::new()), keys, note)
 }
 
 /// Energies against time.
@@ -289,8 +354,9 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     const NAME: &str = "energy";
     let motion = input.motion(NAME)?;
     let sheet = input.sheet(WIDTH)?;
-    let (energies, mut keys) = energy_panel(&motion);
+    let (energies, mut keys, note) = energy_panel(&motion);
     let parts = lost_parts(&motion);
+    let lost = lost_panel(&motion, &parts);
     for (_, mark, words) in &parts {
         // Drops of the energy have the key of what is lost in impacts.
         keys.retain(|(_, own)| own != words);
@@ -298,19 +364,25 @@ pub(crate) fn energy(input: &FigureInput) -> Result<Figure, FigureError> {
     }
     let caption = format!(
         "Kinetic, potential (*U* = 0 with the particle at the height of *C*, in contact) and total energy (2.8) \
-         against time, and below what has been lost; dashed verticals: transitions. {}. {}.",
+         against time{}; dashed verticals: transitions. {}. {}.",
+        if lost.is_some() {
+            ", and below what has been lost"
+        } else {
+            ""
+        },
         losses(&motion),
         input.in_words()
     );
+    let nothing = lost.is_none().then(|| "No energy is lost.".to_owned());
     let timeline = Timeline {
         name: NAME,
         title: "Energy of a motion",
         caption,
         keys,
-        contents: vec![energies, lost_panel(&motion, &parts)],
+        contents: [energies].into_iter().chain(lost).collect(),
         height: &|i| sheet.height([340.0, 178.0][i]),
     };
-    Ok(motion.figure(&sheet, timeline))
+    Ok(motion.figure(&sheet, timeline).noted(note).noted(nothing))
 }
 
 /// Rounding of what a phase loses that is not seen, in parts of all.
@@ -382,28 +454,26 @@ fn lost_parts(motion: &Shown) -> Vec<(Series, Mark, &'static str)> {
     series.into_iter().filter(is_there).collect()
 }
 
-/// The panel of the energy lost since the start.
-fn lost_panel(motion: &Shown, parts: &[(Series, Mark, &'static str)]) -> Content {
+/// The panel of the energy lost since the start, if any is.
+fn lost_panel(motion: &Shown, parts: &[(Series, Mark, &'static str)]) -> Option<Content> {
     let rows = lost_in_all(motion);
     let most = rows.iter().map(|row| row[1]).fold(0.0, f64::max);
     let size = motion
         .phases()
         .first()
         .map_or(1.0, |phase| phase.first().energy.abs().max(1.0));
-    // A motion that loses nothing has a flat line.
-    let most = if most > NOISE * size {
-        1.12 * most
-    } else {
-        0.1 * size
-    };
+    if most <= NOISE * size {
+        return None;
+    }
+    let top = 1.12 * most;
     let y = motion
         .say
-        .axis(LOST, "*E*_{0} − *E*", [-0.08 * most, most].into());
+        .axis(LOST, "*E*_{0} − *E*", [-0.08 * top, top].into());
     let mut layers = motion.ground(&y, LOST);
     layers.push(Series::of_rows("lost", &[TIME, LOST], rows).drawn(Stroke::solid(INK, CURVE)));
     let parts = parts.iter();
     layers.extend(parts.map(|(series, mark, _)| series.clone().drawn(*mark)));
-    motion.panel("energy lost", y, layers, Vec::new())
+    Some(motion.panel("energy lost", y, layers, Vec::new()))
 }
 
 /// What has cost energy.

@@ -61,6 +61,8 @@ struct Plan {
 const WORK: f64 = 2e6;
 const PROBED: [usize; 2] = [16, 12];
 const FEWEST: [f64; 2] = [61.0, 45.0];
+/// Fewest transitions to which motions are followed that take too long.
+const SHORTEST: usize = 50;
 
 impl Plan {
     fn new(input: &FigureInput, window: Window) -> Result<Self, FigureError> {
@@ -88,8 +90,15 @@ impl Plan {
         let share = (WORK / work).sqrt();
         let fewer =
             |k: usize| (share * starts[k] as f64).max(FEWEST[k].min(starts[k] as f64)) as usize;
+        let starts = [fewer(0), fewer(1)];
+        // Where the fewest starts take too long, too, motions are followed less far.
+        let points = |[columns, rows]: [usize; 2]| (columns * rows) as f64;
+        let left = WORK / (work * points(starts) / points(plan.starts));
+        let transitions = (left * limits.transitions as f64) as usize;
+        let transitions = transitions.max(SHORTEST).min(limits.transitions);
         Ok(Self {
-            starts: [fewer(0), fewer(1)],
+            starts,
+            limits: limits.with_transitions(transitions),
             is_coarse: true,
             ..plan
         })
@@ -252,10 +261,7 @@ fn at_time(input: &FigureInput, time: f64) -> String {
 fn followed(input: &FigureInput, limits: Limits, cut: bool) -> String {
     let say = input.wording();
     let until = |until| format!("to {} = {}", say.time(), say.value(until, Dimension::Time));
-    let end = input
-        .limits
-        .until
-        .map_or_else(|| "to its end".to_owned(), until);
+    let end = limits.until.map_or_else(|| "to its end".to_owned(), until);
     if cut {
         format!("{end}, or to {} transitions", limits.transitions)
     } else {
@@ -431,7 +437,7 @@ pub(crate) fn figure(input: &FigureInput, watch: &mut Watch<'_>) -> Result<Figur
     };
     let limits = [
         is_cut.then(|| format!("after {} transitions", plan.limits.transitions)),
-        input.limits.until.map(|until| at_time(input, until)),
+        plan.limits.until.map(|until| at_time(input, until)),
     ];
     let limits = limits
         .into_iter()

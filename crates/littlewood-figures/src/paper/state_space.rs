@@ -82,26 +82,33 @@ fn floor(ranges: &Ranges, modes: &Modes) -> Vec<Layer> {
     layers
 }
 
-/// Most letters of a mode.
-const LETTERS: usize = 4;
+/// Most phases of a mode of which each has a letter.
+const LETTERS: usize = 2;
 
-/// *s* and *r* at the phases.
+/// *s* and *r* at the phases; of many at the first, with how many there are.
 fn letters(motion: &Shown) -> Vec<Label> {
     let mut labels: Vec<Label> = Vec::new();
-    for phase in motion.phases() {
-        if phase.start().time >= motion.until {
-            break;
-        }
+    let shown = || {
+        let phases = motion.phases().iter();
+        phases.take_while(|phase| phase.start().time < motion.until)
+    };
+    let mut counted: Vec<Mode> = Vec::new();
+    for phase in shown() {
         let (letter, share) = match phase.mode() {
             Mode::Sliding => ("*s*", 0.5),
             Mode::Rolling => ("*r*", 0.75),
             Mode::Gliding | Mode::Flight | Mode::Rest | Mode::Skidding => continue,
         };
-        // Of many phases the first of a mode has its letter.
-        let is_named = labels.iter().filter(|label| label.text == letter).count() >= LETTERS;
-        if is_named {
+        if counted.contains(&phase.mode()) {
             continue;
         }
+        let count = shown().filter(|it| it.mode() == phase.mode()).count();
+        let text = if count > LETTERS {
+            counted.push(phase.mode());
+            format!("{count} × {letter}")
+        } else {
+            letter.to_owned()
+        };
         let duration = f64::min(phase.duration(), motion.until - phase.start().time);
         let middle = phase.sample(share * duration).state;
         let [right, down] = match middle.slip {
@@ -109,7 +116,7 @@ fn letters(motion: &Shown) -> Vec<Label> {
             0.0 => [4.0, 14.0],
             _ => [-14.0, -6.0],
         };
-        let label = Label::new(letter, &[middle.theta, middle.slip, middle.theta_rate]);
+        let label = Label::new(text, &[middle.theta, middle.slip, middle.theta_rate]);
         labels.push(
             label
                 .shifted(right, down)

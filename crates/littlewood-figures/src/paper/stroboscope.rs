@@ -15,7 +15,6 @@ use crate::columns::{FRICTION, NORMAL, TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::{Shown, bounds, finite_rows, hoops};
-use crate::wording::Wording;
 
 const NAME: &str = "stroboscope";
 /// Radii from hoop to hoop on the average, and how many hoops there are at least and at most.
@@ -153,13 +152,11 @@ impl Force {
     }
 }
 
-/// A force that is as long as a radius: a whole multiple of a power of ten, in the units of the
-/// picture.
-fn force_of_a_radius(largest: f64, say: Wording) -> f64 {
-    let unit = say.units.map_or(1.0, |units| units.unit(Dimension::Force));
-    let wanted = largest * unit / LONGEST;
+/// A force that is as long as a radius: a whole multiple of a power of ten.
+fn force_of_a_radius(largest: f64) -> f64 {
+    let wanted = largest / LONGEST;
     let decade = libm::pow(10.0, libm::floor(libm::log10(wanted)));
-    libm::ceil(wanted / decade) * decade / unit
+    libm::ceil(wanted / decade) * decade
 }
 
 /// The instants, and the time from one to the next.
@@ -191,7 +188,7 @@ fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries, loo
     if largest <= 0.0 {
         return false;
     }
-    let radius = force_of_a_radius(largest, picture.say);
+    let radius = force_of_a_radius(largest);
     let unit = Picture::unit(&picture.sheet, picture.x.into());
     for force in FORCES {
         let arrows = force.arrows(samples, radius, unit, look);

@@ -14,7 +14,7 @@ use super::legend::of_curves;
 use super::map::{OTHERS, Picture, PictureSize};
 use super::names::{along, axis_name, is_flipped, ticks_of, title, unit_of};
 use super::scale::{Kind, Scale};
-use crate::regions::Place;
+use crate::regions::{MIXED, Place};
 
 /// Width of the drawing on a screen of which print takes its proportions, and height of the map
 /// there.
@@ -305,6 +305,7 @@ impl Picture {
     fn name_of(&self, key: u64) -> String {
         match class_of(key) {
             Some(class) => class.name().to_owned(),
+            None if key == MIXED => "mixed".to_owned(),
             None if key == OTHERS => "others".to_owned(),
             None => PhaseSequence::from_bits(key).to_string(),
         }

@@ -1,15 +1,14 @@
 //! A map as pixels: numbers on a scale, or what no boundaries have been followed for.
 
 use littlewood::tables::Class;
-use littlewood_draw::Image;
+use littlewood_draw::{GRID, Image};
 use littlewood_style::{Ink, Rgb, Theme, of_class, of_rank};
 
 use super::cells::{Cell, class_of};
 use super::map::Picture;
 use super::names::is_flipped;
 use super::scale::Scale;
-use super::shade::Shade;
-use crate::regions::{Place, Regions};
+use crate::regions::{MIXED, Place, Regions};
 
 /// How far off, in cells, one of the region of a pixel is looked for.
 const NEAR: usize = 2;
@@ -20,6 +19,8 @@ impl Picture {
     pub(super) fn image(&self, width: usize, height: usize, scale: Option<&Scale>) -> Image {
         let size = [width, height];
         let regions = keys_of_pixels(&self.regions, width, height);
+        // What no boundaries have been followed for has no regions.
+        let keys = (!self.shade.is_on_a_scale()).then(|| self.lattice().keys);
         let flipped = [0, 1].map(|k| is_flipped(&self.grid.axes()[k]));
         let from_the_first = |pixel: usize, k: usize| {
             if flipped[k] {
@@ -37,20 +38,25 @@ impl Picture {
         let mut pixels = Vec::with_capacity(3 * width * height);
         for y in (0..height).rev().map(|y| from_the_first(y, 1)) {
             for x in (0..width).map(|x| from_the_first(x, 0)) {
-                let cell = self.cell_near([across[x], upwards[y]], regions[y * width + x]);
-                pixels.extend(self.colour(cell, scale).0);
+                let at = self.cell_near([across[x], upwards[y]], regions[y * width + x]);
+                let colour = match &keys {
+                    Some(keys) => self.colour_of(keys[at]),
+                    None => self.colour(self.cells[at], scale),
+                };
+                pixels.extend(colour.0);
             }
         }
         Image { size, pixels }
     }
 
-    /// The nearest cell, of a region if there is one.
-    fn cell_near(&self, place: Place, region: Option<u64>) -> Cell {
+    /// The number of the nearest cell, of a region if there is one.
+    fn cell_near(&self, place: Place, region: Option<u64>) -> usize {
         let [nx, ny] = self.counts;
         let exact = [0, 1].map(|k| place[k] * (self.counts[k] - 1) as f64);
         let [i, j] = exact.map(|at| libm::round(at) as usize);
-        let nearest = self.cells[j * nx + i];
-        let Some(key) = region.filter(|key| *key != self.key_of(nearest.key)) else {
+        let nearest = j * nx + i;
+        let own = self.key_of(self.cells[nearest].key);
+        let Some(key) = region.filter(|key| ![own, MIXED].contains(key)) else {
             return nearest;
         };
         let around = |middle: usize, count: usize| {
@@ -61,11 +67,14 @@ impl Picture {
             .flat_map(|j| around(i, nx).map(move |i| (i, j)))
             .filter(|&(i, j)| self.key_of(self.cells[j * nx + i].key) == key)
             .min_by(|a, b| away(*a).total_cmp(&away(*b)))
-            .map_or(nearest, |(i, j)| self.cells[j * nx + i])
+            .map_or(nearest, |(i, j)| j * nx + i)
     }
 
     /// The colour of what a region has in common.
     pub(super) fn colour_of(&self, key: u64) -> Rgb {
+        if key == MIXED {
+            return GRID;
+        }
         let (rank, is_mirrored) = self.rank(key);
         class_of(key).map_or_else(
             || of_rank(rank, is_mirrored, Theme::Light),
@@ -73,15 +82,15 @@ impl Picture {
         )
     }
 
+    /// The colour of a number, if there is a scale.
     fn colour(&self, cell: Cell, scale: Option<&Scale>) -> Rgb {
-        match (self.shade, cell.class()) {
-            (_, Some(Class::NotComputed | Class::Invalid))
-            | (Shade::Class | Shade::Sequence, _) => self.colour_of(cell.key),
-            (Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_), _) => scale.map_or_else(
-                || Ink::NoValue.colour(Theme::Light),
-                |scale| scale.colour(cell.number),
-            ),
+        if let Some(Class::NotComputed | Class::Invalid) = cell.class() {
+            return self.colour_of(cell.key);
         }
+        scale.map_or_else(
+            || Ink::NoValue.colour(Theme::Light),
+            |scale| scale.colour(cell.number),
+        )
     }
 }
 

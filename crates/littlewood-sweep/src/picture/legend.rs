@@ -1,7 +1,7 @@
 //! What the colours and lines of a map mean.
 
 use littlewood::tables::{Class, PhaseSequence};
-use littlewood_draw::{Mark, key_of_curve};
+use littlewood_draw::{GRID, Mark, key_of_curve};
 use littlewood_style::ticks::minus;
 use littlewood_style::{Curve, Ink, RANKS, Theme, of_class, of_rank};
 
@@ -38,12 +38,25 @@ impl Picture {
     /// All entries, but for those of the curves.
     pub(super) fn entries(&self, scale: Option<&Scale>) -> Vec<Entry> {
         match self.shade {
-            Shade::Class => self.entries_of_classes(&Class::ALL),
-            Shade::Sequence => self.entries_of_sequences(),
+            Shade::Class => self.with_mixed(self.entries_of_classes(&Class::ALL)),
+            Shade::Sequence => self.with_mixed(self.entries_of_sequences()),
             Shade::EnergyLost | Shade::Column(_) | Shade::Derivative(_) => {
                 self.entries_of_scale(scale)
             }
         }
+    }
+
+    /// With an entry of what is mixed, whose points others count, too.
+    fn with_mixed(&self, mut entries: Vec<Entry>) -> Vec<Entry> {
+        let share = self.mixed();
+        if share > 0.0 {
+            let label = format!(
+                "of these mixed more finely than drawn, {:.1} %",
+                100.0 * share
+            );
+            entries.push((Mark::Fill(GRID), label));
+        }
+        entries
     }
 
     fn entries_of_classes(&self, classes: &[Class]) -> Vec<Entry> {

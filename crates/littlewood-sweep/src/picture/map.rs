@@ -17,7 +17,7 @@ use crate::compute::Workers;
 use crate::error::SweepError;
 use crate::grid::Grid;
 use crate::options::Options;
-use crate::regions::{Lattice, Regions};
+use crate::regions::{Lattice, MIXED, Regions};
 use crate::sweep::sweep_grid;
 use crate::tally::Tally;
 #[cfg(feature = "zarr")]
@@ -284,19 +284,35 @@ impl Picture {
         if is_other { OTHERS } else { key }
     }
 
-    /// The points that have a cell, with what their colours have in common.
+    /// The points that have a cell, with what their colours have in common, or what is mixed.
     pub(super) fn lattice(&self) -> Lattice {
         let places = [0, 1].map(|k| {
             let count = self.grid.axes()[k].count();
             let places = (0..self.counts[k]).map(|j| place(j, count, self.counts[k]));
-            places.map(|i| i as f64 / (count - 1) as f64).collect()
+            places
+                .map(|i| i as f64 / (count - 1).max(1) as f64)
+                .collect()
         });
         let keys = self
             .cells
             .iter()
             .map(|cell| self.key_of(cell.key))
             .collect();
-        Lattice { places, keys }
+        let mut lattice = Lattice { places, keys };
+        lattice.mix();
+        lattice
+    }
+
+    /// The part of the map in which colours change more finely than is drawn.
+    pub(super) fn mixed(&self) -> f64 {
+        let mut regions = self.regions.regions.iter();
+        let of_region = regions.find(|region| region.key == MIXED);
+        if !self.regions.regions.is_empty() {
+            return of_region.map_or(0.0, |region| region.area);
+        }
+        let keys = self.lattice().keys;
+        let mixed = keys.iter().filter(|key| **key == MIXED).count();
+        mixed as f64 / keys.len() as f64
     }
 
     /// Number of points of a class.

@@ -34,8 +34,12 @@ pub const MIXED: u64 = u64::MAX;
 const AROUND: usize = 3;
 const CHANGES: f64 = 0.35;
 const ALONE: f64 = 3.0;
-/// How often holes in what is mixed are closed.
+/// Columns and rows from which on a lattice tells that: between fewer there may be regions.
+const FINE: usize = 24;
+/// How often holes in what is mixed are closed, and half the side of the least square of one key that
+/// is seen beside it.
 const SMOOTHED: usize = 3;
+const LEAST: usize = 2;
 
 /// A place in the unit square: fractions of the way to the right and upwards.
 pub type Place = [f64; 2];
@@ -184,6 +188,9 @@ impl Lattice {
     /// so that no boundary is looked for between them.
     pub fn mix(&mut self) {
         let [columns, rows] = [0, 1].map(|k| self.places[k].len());
+        if columns.min(rows) < FINE {
+            return;
+        }
         let key = |x: usize, y: usize| self.keys[y * columns + x];
         let near =
             |at: usize, by: usize, count: usize| at.saturating_sub(by)..=(at + by).min(count - 1);
@@ -221,13 +228,17 @@ impl Lattice {
         };
         let places = || (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
         let mut mixed: Vec<bool> = places().map(|(x, y)| is_mixed(x, y)).collect();
+        if !mixed.contains(&true) {
+            return;
+        }
+        let around = |x: usize, y: usize, by: usize| {
+            near(y, by, rows).flat_map(move |v| near(x, by, columns).map(move |u| v * columns + u))
+        };
         // Small holes are no regions: what is mixed around most of them is mixed.
         for _ in 0..SMOOTHED {
             let most = |x: usize, y: usize| {
-                let around = near(y, AROUND, rows)
-                    .flat_map(|v| near(x, AROUND, columns).map(move |u| v * columns + u));
                 let (mut all, mut of_them) = (0_u32, 0_u32);
-                for place in around {
+                for place in around(x, y, AROUND) {
                     all += 1;
                     of_them += u32::from(mixed[place]);
                 }
@@ -237,6 +248,15 @@ impl Lattice {
                 .map(|(x, y)| mixed[y * columns + x] || most(x, y))
                 .collect();
         }
+        // Beside what is mixed only that is seen which squares of one key make up: no fringe.
+        let of_one = |x: usize, y: usize| {
+            around(x, y, LEAST).all(|at| !mixed[at] && self.keys[at] == key(x, y))
+        };
+        let of_one: Vec<bool> = places().map(|(x, y)| of_one(x, y)).collect();
+        let is_fringe = |x: usize, y: usize| {
+            around(x, y, AROUND).any(|at| mixed[at]) && !around(x, y, LEAST).any(|at| of_one[at])
+        };
+        let mixed = places().map(|(x, y)| mixed[y * columns + x] || is_fringe(x, y));
         let keys = self.keys.iter().zip(mixed);
         let keys = keys.map(|(key, is_mixed)| if is_mixed { MIXED } else { *key });
         self.keys = keys.collect();
