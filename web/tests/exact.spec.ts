@@ -74,34 +74,44 @@ test('the friction that is needed is that of the instant, and events tell none t
 });
 
 test('ticks of an axis differ', async ({ page }) => {
-  // What is written on each canvas since it was cleared, along the axis on its left.
+  // What is written on each canvas since it was cleared: along the axis on its left, and below.
   await page.addInitScript(() => {
     const { fillText, clearRect } = CanvasRenderingContext2D.prototype;
-    const written = new WeakMap<HTMLCanvasElement, string[]>();
+    const written = new WeakMap<HTMLCanvasElement, Record<string, string[]>>();
     CanvasRenderingContext2D.prototype.clearRect = function (...area) {
-      written.set(this.canvas, []);
+      written.set(this.canvas, { right: [], center: [] });
       clearRect.apply(this, area);
     };
     CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
-      if (this.textAlign === 'right') written.get(this.canvas)?.push(text);
+      written.get(this.canvas)?.[this.textAlign]?.push(text);
       fillText.call(this, text, ...place);
     };
     Object.assign(window, { written });
   });
+  type Written = WeakMap<Element, Record<'right' | 'center', string[]>>;
+  const ticks = (align: 'right' | 'center'): Promise<string[][]> =>
+    page
+      .locator('.chart canvas')
+      .evaluateAll(
+        (all, align) =>
+          all.map((it) => (window as unknown as { written: Written }).written.get(it)![align]),
+        align,
+      );
+  const differ = (axes: string[][]): void => {
+    expect(axes).toHaveLength(5);
+    for (const labels of axes) {
+      expect(labels.length).toBeGreaterThan(1);
+      expect(new Set(labels).size, labels.join(', ')).toBe(labels.length);
+    }
+  };
+  // A motion that is shown for 2e-4.
+  await open(page, 'case=figure-3&until=0.0002&map=0');
+  differ(await ticks('center'));
   // A slip of a hundredth costs some 1e-4 of the energy, which is 4/3.
   await open(page, 'case=rolls-forever&theta=0.8&theta_rate=0.5&slip=0.02&map=0');
-  const axes = await page
-    .locator('.chart canvas')
-    .evaluateAll((all) =>
-      all.map((it) =>
-        (window as unknown as { written: WeakMap<Element, string[]> }).written.get(it),
-      ),
-    );
-  expect(axes).toHaveLength(5);
-  for (const ticks of axes) {
-    expect(ticks!.length).toBeGreaterThan(1);
-    expect(new Set(ticks).size, ticks!.join(', ')).toBe(ticks!.length);
-  }
+  differ(await ticks('center'));
+  const axes = await ticks('right');
+  differ(axes);
   // A range that four digits do not resolve.
   expect(Number(axes[4]!.at(-1)) - Number(axes[4]![0])).toBeLessThan(1e-3);
 });

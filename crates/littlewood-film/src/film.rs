@@ -231,7 +231,7 @@ impl<'a> Film<'a> {
         let flight = shown()
             .filter(|phase| phase.mode() == Mode::Flight)
             .max_by(|a, b| length(a).total_cmp(&length(b)));
-        let middle = flight.or_else(|| shown().last()).map_or(0.0, |phase| {
+        let middle = flight.or_else(|| shown().next_back()).map_or(0.0, |phase| {
             phase.start().time + 0.5 * length(phase) - schedule.start
         });
         (libm::round(middle / schedule.step) as u64).min(schedule.frames.saturating_sub(1))

@@ -24,12 +24,23 @@ export interface Subject {
 const AXIS = 12;
 const DIGIT = 8;
 
-/** Pixels between two ticks of that axis at least. */
+/** Pixels between two ticks of that axis at least, and of the axis of the time without its digits. */
 const SPACE = 28;
+const SPACE_OF_TIME = 18;
 
 /** Its ticks, with as many digits as tell them apart. */
 function ticksOf(least: number, most: number, { height }: uPlot.BBox): Tick[] {
   return roundTicks(least, most, Math.max(2, Math.floor(height / uPlot.pxRatio / SPACE)));
+}
+
+/** The ticks of the time, as many as stand beside each other. */
+function ticksOfTime(least: number, most: number, width: number): Tick[] {
+  for (let count = 9; count > 2; count--) {
+    const ticks = roundTicks(least, most, count);
+    const digits = Math.max(...ticks.map(({ label }) => label.length), 0);
+    if (ticks.length * (SPACE_OF_TIME + DIGIT * digits) <= width) return ticks;
+  }
+  return roundTicks(least, most, 2);
 }
 
 /** The line of a bound, in pixels. */
@@ -154,7 +165,17 @@ export class Plots {
         cursor: { show: false },
         scales: { x: { time: false }, y: { range: (_, least, most) => rangeOf(least, most) } },
         axes: [
-          { ...axis, size: 26, gap: 2, space: 50 },
+          {
+            ...axis,
+            size: 26,
+            gap: 2,
+            splits: ({ bbox }, _, least, most) =>
+              ticksOfTime(least, most, bbox.width / uPlot.pxRatio).map(({ value }) => value),
+            values: ({ bbox, scales: { x } }) =>
+              ticksOfTime(x?.min ?? 0, x?.max ?? 0, bbox.width / uPlot.pxRatio).map(
+                ({ label }) => label,
+              ),
+          },
           {
             ...axis,
             splits: ({ bbox }, _, least, most) =>
