@@ -6,7 +6,7 @@ engine: Box2D 3.1
 contact: rigid
 settings: default careful
 requires: numpy==2.4.6 pyb2d3==0.11.1
-rolling: separate limits; its coefficient is chi, times the radius of the circle.
+rolling: separate limits; its coefficient is χ: it multiplies it by the radius of the circle.
 limits: own_turn=0.785/step turn=0.785/step own_speed=400 sleep=0.01 friction=root force=none
   rolling=1 rolling_slow=1
 limits default: bounce=1.05 rolling_small=0.096

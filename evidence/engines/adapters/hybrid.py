@@ -122,6 +122,8 @@ class Hoop:
         """
         case = self.case
         state, time = ((0.0, 1.0, case.theta, case.slip, case.gap_rate, case.theta_rate), 0.0)
+        # What an impact at the start changes is not yet in the first row.
+        yield 0.0, 0.0, 1.0, case.theta, case.x_rate, case.gap_rate, case.theta_rate
         mode = FLIGHT if case.gap_rate > 0.0 else self.follows(state)
         if (
             mode == FLIGHT
@@ -131,7 +133,7 @@ class Hoop:
             # The plane holds the rim, and no slide is consistent: an impact without a collision.
             state = self.impact(state)
             mode = FLIGHT if state[4] > 0.0 else self.follows(state)
-        instants = (i * step for i in range(round(case.until / step) + 1))
+        instants = (i * step for i in range(1, round(case.until / step) + 1))
         at = next(instants)
         while True:
             end, state, event, dense = advance(mode, time, state, case.until)

@@ -6,7 +6,7 @@ engine: Siconos
 contact: rigid
 settings: default careful
 requires: debian:python3-siconos==4.4.0
-rolling: separate limits (NewtonImpactRollingFrictionNSL); its coefficient, a length, is chi R.
+rolling: separate limits (NewtonImpactRollingFrictionNSL); its coefficient, a length, is χ R.
 limits: friction=pair force=1.00,+0 rolling=1 rolling_small=1 rolling_slow=1
 docs: https://nonsmooth.gricad-pages.univ-grenoble-alpes.fr/siconos/
 
