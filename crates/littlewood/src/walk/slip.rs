@@ -186,8 +186,8 @@ impl LastSlip {
         }
         let is_turned = from_turned <= from_mirrored;
         // By the momentum −θ′ (1 + h cos θ) of η′ = 0 it turns as at the slip. With |F| > μs N it slips
-        // at all four states.
-        let theta_rate = self.state.theta_rate;
+        // at all four states. Zero has no sign.
+        let theta_rate = self.state.theta_rate + 0.0;
         let slips = !self.is_on_limit || is_turned || theta_rate == 0.0;
         let direction = if is_turned || keeps {
             self.direction
