@@ -245,6 +245,16 @@ fn outcomes_of_motions_without_end_are_cut_and_the_caption_says_so() {
     };
     assert!(caption(nearly_equal).contains("or to 100 transitions"));
     assert!(!caption(input(1.0, 1.0, 1.0, 0.5, 0.4)).contains("transitions"));
+    // It rolls on for thousands of turns, which once took 22 s.
+    let parameters = HoopParameters::thin(0.28)
+        .with_offset(0.73)
+        .with_friction(1.1, 1.1)
+        .with_rolling_resistance(1e-10);
+    let hardly_resisted = FigureInput {
+        hoop: Hoop::new(parameters).expect("a hoop"),
+        ..nearly_equal
+    };
+    assert!(caption(hardly_resisted).contains("followed to τ = 200"));
 }
 
 #[test]

@@ -282,13 +282,21 @@ fn from_value(series: &mut Series, value: f64) {
     }
 }
 
+/// What is noted of energies that are drawn from the start on.
+fn said(motion: &Shown, starts: [f64; 3]) -> String {
+    let [total, kinetic, potential] =
+        starts.map(|value| motion.say.value(value, Dimension::Energy));
+    format!(
+        "Energies are drawn from the start on, where *E* = {total}, *T* = {kinetic}, *U* = {potential}."
+    )
+}
+
 /// The energies, with what their lines mean, and what is noted of them.
 fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>, Option<String>) {
-    let hoop = motion.hoop();
     let history = |name, value: &dyn Fn(&Sample) -> f64| {
         motion.history(name, ENERGY, |_, sample| Some(value(sample)))
     };
-    let potential_of = |sample: &Sample| sample.potential_energy(hoop);
+    let potential_of = |sample: &Sample| sample.potential_energy(motion.hoop());
     let mut energies = [
         history("total energy", &|sample| sample.energy),
         history("kinetic energy", &|it| it.energy - potential_of(it)),
@@ -339,13 +347,7 @@ fn energy_panel(motion: &Shown) -> (Content, Vec<(Mark, String)>, Option<String>
         keys.push((drops.mark, EnergyPart::Impacts.label().to_owned()));
         layers.push(drops);
     }
-    let note = starts.map(|starts| {
-        let [total, kinetic, potential] =
-            starts.map(|value| motion.say.value(value, Dimension::Energy));
-        format!(
-            "Energies are drawn from the start on, where *E* = {total}, *T* = {kinetic}, *U* = {potential}."
-        )
-    });
+    let note = starts.map(|starts| said(motion, starts));
     (motion.panel("energy", y, layers, Vec::new()), keys, note)
 }
 

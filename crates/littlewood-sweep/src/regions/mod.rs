@@ -187,10 +187,22 @@ impl Lattice {
     /// Gives the key [`MIXED`] to places around which keys change more finely than the lattice tells,
     /// so that no boundary is looked for between them.
     pub fn mix(&mut self) {
-        let [columns, rows] = [0, 1].map(|k| self.places[k].len());
-        if columns.min(rows) < FINE {
+        if self.places.iter().any(|places| places.len() < FINE) {
             return;
         }
+        let mixed = self.changing();
+        if !mixed.contains(&true) {
+            return;
+        }
+        let mixed = self.with_fringe(&self.closed(mixed));
+        let keys = self.keys.iter().zip(mixed);
+        let keys = keys.map(|(key, is_mixed)| if is_mixed { MIXED } else { *key });
+        self.keys = keys.collect();
+    }
+
+    /// Of each place whether keys change around it from place to place.
+    fn changing(&self) -> Vec<bool> {
+        let [columns, rows] = [0, 1].map(|k| self.places[k].len());
         let key = |x: usize, y: usize| self.keys[y * columns + x];
         let near =
             |at: usize, by: usize, count: usize| at.saturating_sub(by)..=(at + by).min(count - 1);
@@ -226,40 +238,50 @@ impl Lattice {
             }
             f64::from(lonely) / ALONE + f64::from(changes) / (CHANGES * f64::from(sides)) >= 1.0
         };
-        let places = || (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
-        let mut mixed: Vec<bool> = places().map(|(x, y)| is_mixed(x, y)).collect();
-        if !mixed.contains(&true) {
-            return;
-        }
-        let around = |x: usize, y: usize, by: usize| {
-            near(y, by, rows).flat_map(move |v| near(x, by, columns).map(move |u| v * columns + u))
-        };
-        // Small holes are no regions: what is mixed around most of them is mixed.
+        let places = (0..rows).flat_map(|y| (0..columns).map(move |x| (x, y)));
+        places.map(|(x, y)| is_mixed(x, y)).collect()
+    }
+
+    /// The numbers of the places so near to one.
+    fn around(&self, place: usize, by: usize) -> impl Iterator<Item = usize> {
+        let [columns, rows] = [0, 1].map(|k| self.places[k].len());
+        let near = |at: usize, count: usize| at.saturating_sub(by)..=(at + by).min(count - 1);
+        let across = near(place % columns, columns);
+        near(place / columns, rows).flat_map(move |y| across.clone().map(move |x| y * columns + x))
+    }
+
+    /// Without small holes, which are no regions: what is mixed around most of them is mixed.
+    fn closed(&self, mut mixed: Vec<bool>) -> Vec<bool> {
         for _ in 0..SMOOTHED {
-            let most = |x: usize, y: usize| {
+            let most = |place: usize| {
                 let (mut all, mut of_them) = (0_u32, 0_u32);
-                for place in around(x, y, AROUND) {
+                for other in self.around(place, AROUND) {
                     all += 1;
-                    of_them += u32::from(mixed[place]);
+                    of_them += u32::from(mixed[other]);
                 }
                 2 * of_them > all
             };
-            mixed = places()
-                .map(|(x, y)| mixed[y * columns + x] || most(x, y))
-                .collect();
+            let places = 0..mixed.len();
+            mixed = places.map(|place| mixed[place] || most(place)).collect();
         }
-        // Beside what is mixed only that is seen which squares of one key make up: no fringe.
-        let of_one = |x: usize, y: usize| {
-            around(x, y, LEAST).all(|at| !mixed[at] && self.keys[at] == key(x, y))
+        mixed
+    }
+
+    /// With what is beside it but for the squares of one key: a fringe is no region.
+    fn with_fringe(&self, mixed: &[bool]) -> Vec<bool> {
+        let is_of_one = |place: usize| {
+            let mut around = self.around(place, LEAST);
+            around.all(|other| !mixed[other] && self.keys[other] == self.keys[place])
         };
-        let of_one: Vec<bool> = places().map(|(x, y)| of_one(x, y)).collect();
-        let is_fringe = |x: usize, y: usize| {
-            around(x, y, AROUND).any(|at| mixed[at]) && !around(x, y, LEAST).any(|at| of_one[at])
+        let of_one: Vec<bool> = (0..mixed.len()).map(is_of_one).collect();
+        let is_fringe = |place: usize| {
+            self.around(place, AROUND).any(|other| mixed[other])
+                && !self.around(place, LEAST).any(|other| of_one[other])
         };
-        let mixed = places().map(|(x, y)| mixed[y * columns + x] || is_fringe(x, y));
-        let keys = self.keys.iter().zip(mixed);
-        let keys = keys.map(|(key, is_mixed)| if is_mixed { MIXED } else { *key });
-        self.keys = keys.collect();
+        let places = 0..mixed.len();
+        places
+            .map(|place| mixed[place] || is_fringe(place))
+            .collect()
     }
 
     /// All its places, row by row, the lowest first.
