@@ -88,20 +88,25 @@ pub(crate) fn run(args: AnimateArgs) -> Result<(), Error> {
         Some(pane) => film.with_pane(pane),
     };
     let output = Output::open(Some(&args.out))?;
-    let made = match format {
+    write_as(format, output, &film)?;
+    match format {
+        Format::Gif | Format::Video(_) => say_what_is_shown(&film, &trajectory, units.as_ref()),
+        Format::Still => Ok(()),
+    }
+}
+
+fn write_as(format: Format, output: Output, film: &Film<'_>) -> Result<(), Error> {
+    match format {
         Format::Gif => write(output, |writer| {
-            let mut encoder = GifFilm::new(writer, &film)?;
-            play(&film, &mut encoder, &Progress::new())?;
+            let mut encoder = GifFilm::new(writer, film)?;
+            play(film, &mut encoder, &Progress::new())?;
             encoder.finish().map(drop)
         }),
-        Format::Video(video) => write_with_ffmpeg(output, &film, video),
-        Format::Still => {
-            return write(output, |writer| {
-                Ok(writer.write_all(&film.png(film.telling())?)?)
-            });
-        }
-    };
-    made.and_then(|()| say_what_is_shown(&film, &trajectory, units.as_ref()))
+        Format::Video(video) => write_with_ffmpeg(output, film, video),
+        Format::Still => write(output, |writer| {
+            Ok(writer.write_all(&film.png(film.telling())?)?)
+        }),
+    }
 }
 
 /// A motion that runs beside another.
