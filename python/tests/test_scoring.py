@@ -309,6 +309,33 @@ def test_velocities_are_used_if_given():
         lw.scoring.Record(instants, *place, None, rates[0])
 
 
+@pytest.mark.parametrize("begins_with_start", [True, False])
+def test_a_jam_at_the_start_is_before_or_in_the_first_row(begins_with_start):
+    """Both sides of the jam are exact at that instant: neither is charged with an event."""
+    motion = lw.scoring.BENCHMARK["jam-16"].motion
+    instants = np.arange(0.0, 1.5, STEP)
+    samples = motion(instants)
+    slip, theta_rate = np.array(samples.slip), np.array(samples.theta_rate)
+    assert (slip[0], theta_rate[0]) == (0.0, pytest.approx(-1.145))
+    if begins_with_start:
+        slip[0], theta_rate[0] = 0.89, -0.7
+    place = samples.x, samples.centre_y, samples.theta
+    rates = slip - theta_rate, samples.gap_rate, theta_rate
+    score = lw.scoring.score(motion, lw.scoring.Record(instants, *place, None, *rates))
+    assert not score.missed and not score.spurious
+    jam = next(event for event in score.events if event.kind == "jam")
+    assert jam.verdict == ("found" if begins_with_start else "unreadable")
+    assert np.max(np.abs(score.energy_error)) < 1e-14
+    if begins_with_start:
+        # The hoop slides on the other way. One that is slightly faster is seen to do so at once.
+        faster = slip - np.where(instants > 0.0, 0.02, 0.0)
+        rates = faster - theta_rate, samples.gap_rate, theta_rate
+        score = lw.scoring.score(motion, lw.scoring.Record(instants, *place, None, *rates))
+        assert not score.missed and not score.spurious
+        jam = next(event for event in score.events if event.kind == "jam")
+        assert jam.verdict == "found" and 0.0 < jam.found < 3.0 * STEP
+
+
 def test_rates_that_contradict_the_positions_are_told_by_their_size():
     """Positions that go with a rate of their step are no contradiction, a slow turn is one."""
     motion = lw.scoring.BENCHMARK["lands"].motion

@@ -15,7 +15,7 @@ from .record import RATES, Record
 if TYPE_CHECKING:
     from ..trajectory import Trajectory
 
-__all__ = ["doubts"]
+__all__ = ["doubts", "start_rates"]
 
 
 _AT_ONCE, _SOON = 1e-3, 0.05
@@ -110,12 +110,17 @@ def _wrapped(path: _Path) -> Iterator[str]:
         )
 
 
+def start_rates(motion: Trajectory) -> tuple[float, float, float]:
+    """Return x′, y′ and θ′ of the start, before what changes them at once."""
+    start = motion.start
+    return start.slip - start.theta_rate, start.gap_rate, start.theta_rate
+
+
 def _other_rates(motion: Trajectory, record: Record) -> Iterator[str]:
     """Rates of the first row that are not those of the start."""
-    start = motion.start
-    if record.rates is None or record.time[0] != start.time:
+    if record.rates is None or record.time[0] != motion.start.time:
         return
-    exact = start.slip - start.theta_rate, start.gap_rate, start.theta_rate
+    exact = start_rates(motion)
     size = max(1.0, *map(abs, exact))
     for name, mine, rate in zip(RATES, record.rates, exact, strict=True):
         if abs(mine[0] - rate) > _AT_ONCE * size:

@@ -21,9 +21,13 @@ _READ_AS = {
 """How a cause can look in positions, if not only like itself."""
 
 
-def is_same(exact: Event, found: Event) -> bool:
-    """Whether two events are of one kind."""
-    return exact.kind == found.kind
+_AFTER_JAM = {"stick", "reversal"}
+"""If a slide goes on the other way after a jam, the tolerance of slip decides which is read."""
+
+
+def is_same(exact: Event, found: Event, cause: str | None = None) -> bool:
+    """Whether two events are of one kind, or are a jam read in two ways."""
+    return exact.kind == found.kind or (cause == "jam" and {exact.kind, found.kind} == _AFTER_JAM)
 
 
 def may_show(cause: Event, read: Event) -> bool:

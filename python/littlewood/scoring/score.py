@@ -12,7 +12,7 @@ import numpy as np
 
 from .._internal.elementwise import Reals
 from .._internal.terminal import printable
-from .doubts import doubts
+from .doubts import doubts, start_rates
 from .episodes import Event, Tolerances, read_events
 from .matching import is_same, match, may_show
 from .record import Record
@@ -404,7 +404,10 @@ def _held(
     at = {id(place): pair for place, pair in zip(places, known, strict=True)}
 
     def may_be(place: Event, mine: Event) -> bool:
-        return may_show(place, mine) if at[id(place)][1] is None else is_same(place, mine)
+        one, seen = at[id(place)]
+        if seen is None:
+            return may_show(place, mine)
+        return is_same(seen, mine, one and one.kind)
 
     for place, mine in match([place for place in places if place], found, within.time, may_be):
         one, seen = at[id(place)] if place is not None else (None, None)
@@ -467,12 +470,19 @@ def _exactly(motion: Trajectory, record: Record) -> Record:
     is_behind = record.time > motion.end_time
     y[is_behind] = 1.0
     is_high = np.asarray(samples.is_in("flight")) & ~is_behind
-    rates = (None, None, None)
+    rates: tuple[Reals, Reals, Reals] | tuple[None, None, None] = (None, None, None)
     if record.rates is not None:
         at = np.array(samples.theta_rate), np.array(samples.slip), np.array(samples.gap_rate)
         for column in at:
             column[is_behind] = 0.0
-        rates = at[1] - at[0], at[2], at[0]  # type: ignore[assignment]
+        rates = exact = at[1] - at[0], at[2], at[0]
+        before = start_rates(motion)
+        mine, after = (np.array(some)[:, 0] for some in (record.rates, exact))
+        is_start = record.time[0] == motion.start.time
+        if is_start and math.dist(mine, before) < math.dist(mine, after):
+            # What changes at once is not yet in a record whose first row is the start.
+            for column, rate in zip(exact, before, strict=True):
+                column[0] = rate
     return Record(record.time, x, y, theta, None if record.contact is None else ~is_high, *rates)
 
 
