@@ -1,5 +1,7 @@
 """Fits of faulty films are doubted; the table has what its command makes."""
 
+import itertools
+
 import pytest
 
 from evidence.studies.doubted_fits import (
@@ -10,7 +12,6 @@ from evidence.studies.doubted_fits import (
     is_wrong,
     rows_of,
     silent,
-    unsaid,
 )
 from evidence.studies.film.command import KINDS
 from evidence.studies.film.faults import FAULTS, FREE, HEAD, line_of
@@ -40,7 +41,9 @@ def test_wrong_answers_without_a_doubt_are_rare():
         (kind, fault) for kind in KINDS for fault in FAULTS
     }
     assert at_most(faulty()) < 0.02
-    assert silent(faulty()) <= 0.02 * len(faulty())
+    for kind, fault in itertools.product(KINDS, FAULTS):
+        rows = [row for row in faulty() if (row["kind"], row["fault"]) == (kind, fault)]
+        assert silent(rows) <= 0.02 * len(rows), (kind, fault)
     # On the floor many faults make another inertia: that was seldom said.
     floor = [row for row in faulty() if row["kind"] != "throw" and is_wrong(row)]
-    assert len(floor) > 40 and unsaid(floor) == silent(floor) == 0
+    assert len(floor) > 3000 and silent(floor) <= 0.002 * len(floor)
