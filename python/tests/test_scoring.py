@@ -562,7 +562,7 @@ def write(path, header, rows):
         ("time,x,theta", ["0,0,0"], 1, "y", "is missing among time, x, theta"),
         ("t,x,y,theta", ["0,0,1,0"], 1, "time", "is missing among t, x, y, theta; is t meant?"),
         ("time,X,y,theta", ["0,0,1,0"], 1, "x", "is X meant?"),
-        ("0,0.5,1,2", ["1,0,1,0"], 1, "time", "the first line must have the names time,x,y,theta"),
+        ("0,0.5,1,2", ["1,0,1,0"], 1, None, "has no line of names; write one above the numbers"),
         ("time,x,y,theta,x_rate", ["0,0,1,0,0"], 1, "y_rate", "is missing among"),
         ("time,x,y,theta,x", ["0,0,1,0,0"], 1, "x", "occurs twice"),
         ("time_s,x,y_m,theta_rad", ["0,0,1,0"], 1, "time_s", "x has no dimension"),

@@ -73,7 +73,7 @@ def _names_then_rows(layout: _Layout, file: str, lines: list[str]) -> TextTable:
             file,
             "has no line of names",
             line=head + 1,
-            hint="write one above the numbers, such as time_s,theta_deg,x_m,y_m",
+            hint="write one above the numbers, such as time_s,theta_rad,x_m,y_m",
         )
     return _with_rows(layout, file, lines, head, names, [""] * len(names), separator)
 

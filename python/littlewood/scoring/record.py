@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from .._internal.elementwise import Reals, reals
 from .._internal.table_layouts import read_text_table
-from .._internal.text_table import NUMBER, TableFileError, TextTable
+from .._internal.text_table import TableFileError, TextTable
 
 if TYPE_CHECKING:
     from ..units import Units
@@ -276,8 +276,4 @@ def _hint(missing: str, names: list[str]) -> str | None:
     by_lower = {name.lower(): name for name in names}
     likely = [name for name in names if name and missing.startswith(name.lower())]
     likely += [by_lower[near] for near in difflib.get_close_matches(missing, by_lower)]
-    if likely:
-        return f"is {likely[0]} meant?"
-    if all(NUMBER.fullmatch(name) for name in names):
-        return f"the first line must have the names {','.join(_COLUMNS)}"
-    return None
+    return f"is {likely[0]} meant?" if likely else None
