@@ -98,6 +98,9 @@ LINE = _INKS["line"]
 HATCH = _INKS["hatch"]
 """Hatches of what cannot be."""
 
+MIXED = _INKS["mixed"]
+"""Where outcomes change more finely than a map tells."""
+
 REGION = _INKS["region"]
 """The region where the hoop can roll."""
 

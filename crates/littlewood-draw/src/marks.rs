@@ -1,6 +1,6 @@
 //! The marks: lines, heads of arrows, areas, dots, hoops, in steps of the sheet.
 
-use littlewood_style::width::CURVE;
+use littlewood_style::width::{BOLD, CURVE};
 use littlewood_style::{Curve, Rgb};
 
 use crate::figure::{HoopShape, Mark};
@@ -37,8 +37,8 @@ pub fn lift_off_condition(slope: f64) -> String {
     marked(Curve::LiftOff.condition(slope))
 }
 
-/// Length and half width of a head of an arrow in pixels; of a line that is wider than its head they
-/// are larger.
+/// Length and half width of a head of an arrow in pixels; of a line that is bolder than those of
+/// figures they are larger.
 const HEAD: [f64; 2] = [9.0, 3.4];
 
 /// Height and half width of the triangle of a curve that goes on beyond its axes, in pixels.
@@ -238,7 +238,7 @@ impl Canvas {
         } else {
             (dx / length, dy / length)
         };
-        let larger = f64::max(1.0, stroke.width / HEAD[1]);
+        let larger = f64::max(1.0, stroke.width / BOLD);
         let [long, wide] = HEAD.map(|size| f64::from(steps(larger * size)));
         let forward = if centred { 0.5 * long } else { 0.0 };
         let corner = |along: f64, across: f64| {

@@ -16,6 +16,8 @@ pub const SOFT: Rgb = Ink::Soft.colour(THEME);
 pub const FAINT: Rgb = Ink::Faint.colour(THEME);
 /// Grids.
 pub const GRID: Rgb = Ink::Line.colour(THEME);
+/// Outcomes that change more finely than a map tells.
+pub const MIXED_OUTCOMES: Rgb = Ink::Mixed.colour(THEME);
 /// Hatches.
 pub const HATCH: Rgb = Ink::Hatch.colour(THEME);
 /// Between regions of a plane.

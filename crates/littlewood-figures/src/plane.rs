@@ -94,7 +94,7 @@ impl Portrait {
     }
 
     /// A rate at a part of the upper half of the window, as it is seen.
-    fn rate_at(&self, share: f64) -> f64 {
+    pub(crate) fn rate_at(&self, share: f64) -> f64 {
         let most = self.window.y[1];
         if !self.linear.is_finite() {
             return share * most;

@@ -1,7 +1,7 @@
 //! A poster: the story of one hoop on a page, of figures of the catalogue, with equations and plain
 //! sentences.
 
-use littlewood::{Cause, Mode, Trajectory};
+use littlewood::{Cause, Mode, Phase, Trajectory};
 use littlewood_draw::Figure;
 
 use crate::catalogue::{Watch, find_figure, finished};
@@ -152,17 +152,27 @@ fn subtitle(input: &FigureInput, motion: &Trajectory) -> String {
 /// What happens, in a sentence.
 fn story(motion: &Trajectory) -> String {
     let phases = motion.phases();
-    let mut modes: Vec<String> = phases
+    // Flights one after another, and glides either way, are said once, with how many they are.
+    let runs: Vec<&[Phase]> = phases.chunk_by(|a, b| a.mode() == b.mode()).collect();
+    let mut modes: Vec<String> = runs
         .iter()
         .take(6)
-        .map(|phase| phase.mode().name().to_owned())
+        .map(|run| {
+            let name = run[0].mode().name();
+            if run.len() > 1 {
+                format!("{name} ({} times)", run.len())
+            } else {
+                name.to_owned()
+            }
+        })
         .collect();
     let label = motion.outcome().kind().label();
     if modes.is_empty() {
         return format!("No motion follows: {label}.");
     }
-    if phases.len() > 6 {
-        modes.push(format!("{} phases more", phases.len() - 6));
+    let more: usize = runs.iter().skip(6).map(|run| run.len()).sum();
+    if more > 0 {
+        modes.push(format!("{more} phases more"));
     }
     format!("Then: {}; in the end: {label}.", modes.join(", "))
 }

@@ -3,7 +3,7 @@
 
 use crate::support;
 use littlewood::tables::Class;
-use littlewood::{Hoop, HoopParameters, Limits, Start};
+use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start};
 use littlewood_figures::{
     DrawError, FIGURES, Figure, FigureError, FigureInput, View, find_figure, plain,
 };
@@ -245,6 +245,24 @@ fn outcomes_of_motions_without_end_are_cut_and_the_caption_says_so() {
     };
     assert!(caption(nearly_equal).contains("or to 100 transitions"));
     assert!(!caption(input(1.0, 1.0, 1.0, 0.5, 0.4)).contains("transitions"));
+    // A light hoop that bounces and slips again and again: its motions take so long that the work
+    // bounds the transitions, which the key says, too.
+    let light = HoopParameters::thin(0.05)
+        .with_friction(0.5, 0.4)
+        .with_restitution(0.5, RestitutionLaw::Energetic);
+    let light = FigureInput {
+        hoop: Hoop::new(light).expect("a hoop"),
+        limits: Limits::default(),
+        ..nearly_equal
+    };
+    let figure = find_figure("outcomes")
+        .expect("a name")
+        .figure(&light)
+        .expect("a figure");
+    let keys = figure.panels.iter().flat_map(|panel| &panel.keys);
+    let is_said = |text: &str| text.starts_with("goes on after 50 transitions, ");
+    assert_eq!(keys.filter(|key| is_said(&key.text)).count(), 1);
+    assert!(plain(&figure.caption).contains("or to 50 transitions"));
     // It rolls on for thousands of turns, which once took 22 s.
     let parameters = HoopParameters::thin(0.28)
         .with_offset(0.73)

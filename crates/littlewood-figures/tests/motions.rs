@@ -51,6 +51,36 @@ fn figure_3a_has_the_transitions_of_the_table() {
     assert!(sliding.pieces[1].iter().all(|row| row[slip] >= 0.0));
 }
 
+#[test]
+fn many_phases_of_a_mode_in_the_space_of_states_have_one_letter_with_their_number() {
+    let light = HoopParameters::thin(0.05)
+        .with_friction(0.5, 0.4)
+        .with_restitution(0.5, littlewood::RestitutionLaw::Energetic);
+    let hoop = Hoop::new(light).expect("a hoop");
+    let light = FigureInput::new(hoop, Start::at(1.0, 2.0), Limits::default());
+    let of_case = |name: &str| FigureInput::of_case(name).expect("a case");
+    let mut counted = 0;
+    for input in [light, of_case("stick-slip-no-jump"), of_case("figure-3")] {
+        let entry = find_figure("figure-3a").expect("a figure");
+        let figure = entry.figure(&input).expect("it can be drawn");
+        for (letter, mode) in [("*s*", Mode::Sliding), ("*r*", Mode::Rolling)] {
+            let phases = series(&figure, mode.name())[0].pieces.len();
+            let labels = figure.panels.iter().flat_map(|panel| &panel.labels);
+            let found: Vec<&str> = labels
+                .map(|label| &*label.text)
+                .filter(|text| text.ends_with(letter))
+                .collect();
+            if phases > 2 {
+                assert_eq!(found, [format!("{phases} × {letter}")], "{input:?}");
+                counted += 1;
+            } else {
+                assert_eq!(found, vec![letter; phases], "{input:?}");
+            }
+        }
+    }
+    assert!(counted > 2, "{counted}");
+}
+
 /// Divided differences of a column against time with respect to the first row, after adding a
 /// multiple of τ².
 fn slopes(series: &Series, column: &str, square: f64) -> Vec<f64> {

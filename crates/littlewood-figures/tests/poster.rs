@@ -49,6 +49,25 @@ fn a_poster_has_the_proportions_of_a3_and_says_what_happens() {
 }
 
 #[test]
+fn phases_of_a_mode_after_each_other_are_said_once() {
+    let said = |case: &str| {
+        let setup = find_case(case).expect("a named case").setup;
+        let page = made(setup.hoop, setup.start);
+        let story = texts(&page)
+            .into_iter()
+            .find(|text| text.contains("Then: "));
+        story.expect("the story").to_owned()
+    };
+    let glides = said("figure-7");
+    assert!(
+        glides.contains("Then: rolling, gliding (2 times); in the end"),
+        "{glides}"
+    );
+    let bounces = said("figure-3-bounces");
+    assert!(!bounces.contains("flight, flight"), "{bounces}");
+}
+
+#[test]
 fn what_does_not_apply_is_replaced() {
     let at = Start::at;
     for (name, parameters, start) in [

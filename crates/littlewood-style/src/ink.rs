@@ -25,6 +25,8 @@ named! {
         Ground = "ground",
         /// A point without a value in a map of numbers.
         NoValue = "no_value",
+        /// Where outcomes change more finely than a map tells.
+        Mixed = "mixed",
     }
 }
 
@@ -41,6 +43,7 @@ impl Ink {
             Self::Region => theme.pick(0xe3ecf2, 0x232b36),
             Self::Ground => theme.pick(0xeceae4, 0x24231f),
             Self::NoValue => theme.pick(0xe4e4e4, 0x292929),
+            Self::Mixed => theme.pick(0xf4f4f4, 0x060606),
         }
     }
 }

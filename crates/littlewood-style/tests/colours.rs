@@ -144,6 +144,17 @@ fn classes_that_meet_in_one_map_differ_in_grey() {
 }
 
 #[test]
+fn what_is_mixed_differs_in_grey_from_every_outcome() {
+    for theme in Theme::ALL {
+        let mixed = Ink::Mixed.colour(theme).lightness();
+        for class in Class::ALL.into_iter().filter(|class| meet(*class, *class)) {
+            let gap = (mixed - of_class(class, theme).lightness()).abs();
+            assert!(gap > 12.0, "{class}, {theme:?}: {gap}");
+        }
+    }
+}
+
+#[test]
 fn points_without_a_motion_differ_in_grey_from_all_others() {
     for theme in Theme::ALL {
         for empty in [Class::Invalid, Class::NotComputed] {

@@ -9,7 +9,7 @@ import numpy as np
 from .. import _core
 from .._internal.elementwise import flat
 from .._internal.extras import require
-from ..style import CLASS_COLOURS, FINE, INK, LINE
+from ..style import CLASS_COLOURS, FINE, INK, MIXED
 from ..tables import CLASS_LABELS, CLASSES
 from .canvas import axis_label, core_ticks, on_sheet, scaled, sheet, sign, words
 
@@ -152,7 +152,7 @@ _TELLING = 60
 def _entries() -> list[tuple[str, str]]:
     """Return what a map shows by its codes: the classes, and what is mixed."""
     own = [(CLASS_LABELS[name], CLASS_COLOURS[name]) for name in CLASSES]
-    return [*own, ("mixed more finely\nthan drawn", LINE)]
+    return [*own, ("mixed more finely\nthan drawn", MIXED)]
 
 
 def _with_mixed(values: Any) -> Any:

@@ -13,6 +13,7 @@ export const INKS = [
   'region',
   'ground',
   'no_value',
+  'mixed',
 ] as const;
 export type Ink = (typeof INKS)[number];
 
@@ -94,6 +95,7 @@ export const PALETTES = {
       region: '#e3ecf2',
       ground: '#eceae4',
       no_value: '#e4e4e4',
+      mixed: '#f4f4f4',
     },
     mode: {
       rolling: '#004b87',
@@ -167,6 +169,7 @@ export const PALETTES = {
       region: '#232b36',
       ground: '#24231f',
       no_value: '#292929',
+      mixed: '#060606',
     },
     mode: {
       rolling: '#018de9',

@@ -22,7 +22,7 @@ const COEFFICIENTS: [(f64, Dash); 4] = [
     (1.0, Dash::DashDot),
 ];
 
-/// Heights of the arrow across the curves, in parts of the greatest rate: the first at which it
+/// Heights of the arrow across the curves, in parts of the upper half as it is seen: the first at which it
 /// crosses all.
 const HEIGHTS: [f64; 4] = [0.78, 0.9, 0.62, 0.46];
 
@@ -50,7 +50,6 @@ fn across(least: &Series, greatest: &Series, height: f64) -> Option<[[f64; 2]; 2
 pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     input.with_inertia(NAME)?;
     let portrait = Portrait::new(&input.hoop, portrait_window(&input.hoop));
-    let window = portrait.window;
     let mut layers = vec![portrait.unloaded().drawn(Mark::Hatch(HATCH))];
     layers.extend(portrait.orbits(&portrait.choose(3, 6), 1.2));
     let (mut keys, mut loci) = (Vec::new(), Vec::new());
@@ -70,7 +69,7 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
         keys.push((mark, "*n*: *N* = 0".to_owned()));
     }
 
-    let heights = HEIGHTS.map(|share| share * window.y[1]);
+    let heights = HEIGHTS.map(|share| portrait.rate_at(share));
     let arrow = heights
         .into_iter()
         .find_map(|height| across(&loci[0], &loci[3], height));

@@ -7,8 +7,8 @@ use littlewood::tables::{Class, Dimension, Quantity, Setup};
 use littlewood::theory::Window;
 use littlewood::{Engine, Limits, OutcomeKind, Start, Summary};
 use littlewood_draw::{
-    BOUNDARY, Content, Entries, Figure, GRID, Layer, Mark, PAPER, SOFT, Series, Stroke, THEME,
-    key_of_curve, lift_off_condition, marked, short,
+    BOUNDARY, Content, Entries, Figure, Layer, MIXED_OUTCOMES, Mark, PAPER, SOFT, Series, Stroke,
+    THEME, key_of_curve, lift_off_condition, marked, short,
 };
 use littlewood_style::{Curve, RestingPlace, of_class};
 use littlewood_sweep::{Axis, FOR_A_POINT, Grid, MIXED, Place, Region, Regions, Workers};
@@ -341,7 +341,7 @@ impl Drawing<'_> {
             let lifts = |key: u64| key & LIFTS != 0 && key != MIXED;
             self.add("lifts_off", "lifts off before", mark, lifts);
         }
-        let mark = Mark::Region(GRID);
+        let mark = Mark::Region(MIXED_OUTCOMES);
         self.add("mixed", "mixed more finely than drawn", mark, |key| {
             key == MIXED
         });

@@ -309,7 +309,9 @@ pub(crate) fn figure(input: &FigureInput) -> Result<Figure, FigureError> {
     layers.push(Series::of_rows("least of a hoop", &COLUMNS, dots).drawn(Mark::Dot(SOFT, 2.8)));
     if is_far {
         let text = format!("this hoop: above *μ*_{{k}} = {}", short(least));
-        let label = Label::new(text, &[PI, 0.88 * most]).shifted(-10.0, 0.0);
+        // Below all curves, unless the coefficient of the hoop is there.
+        let high = if hoop.mu_k() < 0.2 * most { 0.88 } else { 0.06 };
+        let label = Label::new(text, &[PI, high * most]).shifted(-10.0, 0.0);
         labels.push(label.right());
     } else if least > 0.0 {
         let dot = Series::of_rows("least of this hoop", &COLUMNS, [place]);

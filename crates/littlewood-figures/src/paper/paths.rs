@@ -23,7 +23,7 @@ const HOOPS: usize = 8;
 /// Width of the picture in pixels.
 pub(super) const WIDTH: f64 = 760.0;
 /// Most rows of names under the hoops, and their distance.
-const ROWS: usize = 4;
+const ROWS: usize = 5;
 pub(super) const ROW: f64 = 17.0;
 
 /// Distance of the hoops of two bounces, at least, and of those of two swings where there are many.

@@ -15,6 +15,7 @@ use crate::columns::{FRICTION, NORMAL, TIME, X, Y};
 use crate::error::FigureError;
 use crate::input::FigureInput;
 use crate::motion::{Shown, bounds, finite_rows, hoops};
+use crate::wording::Wording;
 
 const NAME: &str = "stroboscope";
 /// Radii from hoop to hoop on the average, and how many hoops there are at least and at most.
@@ -31,6 +32,8 @@ const INSTANTS: usize = 400;
 const LONGEST: f64 = 1.5;
 /// Arrows that are shorter than this are not seen.
 const SHORTEST: f64 = 0.03;
+/// Height of the row of the scale of forces above the hoops, in pixels.
+const OF_SCALE: f64 = 22.0;
 /// An arrow as long as its head, in pixels, of a line of the usual width.
 const HEAD: f64 = 10.0;
 
@@ -159,6 +162,18 @@ fn force_of_a_radius(largest: f64) -> f64 {
     libm::ceil(wanted / decade) * decade
 }
 
+/// The force of the scale: that of a radius, or in SI units, in which this is not round, one below
+/// it that is.
+fn force_of_scale(of_radius: f64, say: Wording) -> f64 {
+    let Some(units) = say.units else {
+        return of_radius;
+    };
+    let unit = units.unit(Dimension::Force);
+    let most = of_radius * unit;
+    let decade = libm::pow(10.0, libm::floor(libm::log10(most)));
+    libm::floor(most / decade) * decade / unit
+}
+
 /// The instants, and the time from one to the next.
 fn instants(motion: &Shown, path: &[Sample], until: f64) -> (Vec<Sample>, f64) {
     let from = motion.start().time;
@@ -199,13 +214,17 @@ fn add_forces(picture: &mut Picture, samples: &[Sample], keys: &mut Entries, loo
         }
         picture.layers.extend(arrows);
     }
-    // As long as a radius, where a camera has its right upper corner.
-    let (right, up) = (picture.x[1], picture.y[1] - 0.25);
-    let ends =
-        [right - 1.2, right - 0.2].map(|right| tilted(-picture.slope, Point::new(right, up)));
+    let scale = force_of_scale(radius, picture.say);
+    // Where a camera has its right upper corner.
+    let (right, up) = (
+        picture.x[1],
+        picture.y[1] - f64::max(0.25, 0.5 * OF_SCALE / unit),
+    );
+    let ends = [right - 0.2 - scale / radius, right - 0.2]
+        .map(|right| tilted(-picture.slope, Point::new(right, up)));
     let bar = Series::of_rows("scale of forces", &[X, Y], ends);
     picture.layers.push(bar.drawn(Stroke::solid(INK, BOLD)));
-    let text = picture.say.quantity(radius, Dimension::Force);
+    let text = picture.say.quantity(scale, Dimension::Force);
     let label = Label::new(text, &ends[0].row()).right().shifted(-6.0, 0.0);
     picture.labels.push(label.sized(SMALL));
     true
@@ -255,7 +274,10 @@ fn picture(
         say,
         slope,
         x,
-        y: [low - (17.0 + ROW * rows as f64) / unit, top + 1.65],
+        y: [
+            low - (17.0 + ROW * rows as f64) / unit,
+            top + f64::max(1.65, 1.0 + OF_SCALE / unit),
+        ],
         layers: Vec::new(),
         labels,
     };

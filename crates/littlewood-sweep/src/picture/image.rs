@@ -1,7 +1,7 @@
 //! A map as pixels: numbers on a scale, or what no boundaries have been followed for.
 
 use littlewood::tables::Class;
-use littlewood_draw::{GRID, Image};
+use littlewood_draw::Image;
 use littlewood_style::{Ink, Rgb, Theme, of_class, of_rank};
 
 use super::cells::{Cell, class_of};
@@ -73,7 +73,7 @@ impl Picture {
     /// The colour of what a region has in common.
     pub(super) fn colour_of(&self, key: u64) -> Rgb {
         if key == MIXED {
-            return GRID;
+            return Ink::Mixed.colour(Theme::Light);
         }
         let (rank, is_mirrored) = self.rank(key);
         class_of(key).map_or_else(

@@ -1,7 +1,7 @@
 //! What the colours and lines of a map mean.
 
 use littlewood::tables::{Class, PhaseSequence};
-use littlewood_draw::{GRID, Mark, key_of_curve};
+use littlewood_draw::{Mark, key_of_curve};
 use littlewood_style::ticks::minus;
 use littlewood_style::{Curve, Ink, RANKS, Theme, of_class, of_rank};
 
@@ -54,7 +54,7 @@ impl Picture {
                 "of these mixed more finely than drawn, {:.1} %",
                 100.0 * share
             );
-            entries.push((Mark::Fill(GRID), label));
+            entries.push((Mark::Fill(Ink::Mixed.colour(Theme::Light)), label));
         }
         entries
     }
