@@ -141,6 +141,58 @@ proptest! {
         let hoop = tilted(&hoop, slope);
         check_energy(&hoop, start, elapsed)?;
     }
+
+    #[test]
+    fn an_orbit_on_hardly_a_slope_is_that_on_a_level_plane(
+        hoop in heavy_hoop(), slope in hardly_a_slope(), start in start(), elapsed in 0.0..20.0_f64,
+    ) {
+        let hoop = tilted(&hoop, slope);
+        check_energy(&hoop, start, elapsed)?;
+        let level = tilted(&hoop, 0.0);
+        let law = RollingLaw::new(&level);
+        let kinetic = law.denominator(start.theta) * start.theta_rate * start.theta_rate;
+        // A slower one may be next to the separatrix, which it leaves by its last digit.
+        prop_assume!(kinetic > 16.0 * level.mass() * level.h());
+        let [(theta, rate), (level_theta, level_rate)] = [&hoop, &level].map(|hoop| {
+            let orbit = RollingOrbit::new(hoop, start.theta, start.theta_rate);
+            orbit.expect("no resistance").position(elapsed)
+        });
+        // Of the time 1e-12 is lost, times the rate.
+        let bound = 1e-12 * (1.0 + elapsed) * (1.0 + rate.abs().max(level_rate.abs()));
+        let apart = (theta - level_theta).abs();
+        prop_assert!(apart < bound * (1.0 + theta.abs()), "{theta} {level_theta}");
+    }
+}
+
+/// Slopes down to the least number, with which no digit of a motion differs from a level one.
+fn hardly_a_slope() -> impl Strategy<Value = f64> {
+    let size = (-1074.0..-1000.0_f64).prop_map(libm::exp2);
+    (size, any::<bool>()).prop_map(|(size, is_left)| if is_left { -size } else { size })
+}
+
+/// Its turning point uphill is farther than any number of turns.
+#[test]
+fn a_hoop_that_rolls_up_hardly_a_slope_has_an_angle_at_the_limit_of_time() {
+    for offset in [0.259_729_405_803_304_45, 0.0] {
+        let parameters = HoopParameters::thin(0.0)
+            .with_offset(offset)
+            .with_inertia(2.853_251_856_163_824_5)
+            .with_friction(39.6, 39.6);
+        let start = Start::at(FRAC_PI_2, 0.653_148_690_009_414_2);
+        let end = |slope: f64| {
+            let hoop = Hoop::new(parameters.with_slope(slope)).expect("a hoop");
+            let motion = hoop.simulate(start, Limits::until(20.0)).expect("a start");
+            motion.summary().end
+        };
+        let level = end(0.0);
+        for slope in [5e-324, 1e-310, 1e-300] {
+            for slope in [slope, -slope] {
+                let theta = end(slope).theta;
+                let apart = (theta - level.theta).abs();
+                assert!(apart < 1e-12, "{slope:e}: {theta} {}", level.theta);
+            }
+        }
+    }
 }
 
 #[test]

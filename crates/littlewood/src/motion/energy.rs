@@ -55,18 +55,14 @@ impl Losses {
 impl<'a> EnergyLedger<'a> {
     /// None for a motion that does not begin.
     pub fn new(trajectory: &'a Trajectory) -> Option<Self> {
-        let (phases, transitions) = (trajectory.phases(), trajectory.transitions());
+        let phases = trajectory.phases();
         let mut lost = Losses::default();
         let mut start = None;
         let mut entries = Vec::with_capacity(phases.len());
-        let mut counted = 0;
-        for phase in phases {
-            // A jam ends no phase if it comes at the start, or where another event leads to it.
-            let ended_by = phase.ended_by.unwrap_or(transitions.len());
-            for transition in &transitions[counted..ended_by] {
+        for (index, phase) in phases.iter().enumerate() {
+            for transition in trajectory.leading_to(index) {
                 lost.impacts += transition.impact.map_or(0.0, |impact| impact.energy_lost());
             }
-            counted = ended_by;
             let energy = phase.first().energy;
             start = start.or(Some(energy + lost.impacts));
             entries.push(Entry {

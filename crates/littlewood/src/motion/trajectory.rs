@@ -250,6 +250,19 @@ impl Trajectory {
         self.transitions.get(phase.ended_by?)
     }
 
+    /// The transitions between the phase before an index and that at it: the one that ends the
+    /// former, and jams to which it leads, or with which the motion begins. With the number of
+    /// phases, those after the last.
+    pub fn leading_to(&self, index: usize) -> &[Transition] {
+        let end = |index: usize| {
+            let phase = self.phases.get(index);
+            phase
+                .and_then(|phase| phase.ended_by)
+                .unwrap_or(self.transitions.len())
+        };
+        &self.transitions[index.checked_sub(1).map_or(0, end)..end(index)]
+    }
+
     /// Time at the end of the motion; infinite if the motion is endless and has no time limit.
     pub fn end_time(&self) -> f64 {
         self.phases.last().map_or(self.start.time, Phase::end_time)

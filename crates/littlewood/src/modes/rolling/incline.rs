@@ -34,6 +34,10 @@ const SINGLE_TERMS: u32 = 32;
 /// their inverses overflow. Parts ε of ε of it are normal numbers.
 const MIN_TURNING_DISTANCE: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
 
+/// A turning point that is farther is none: no motion comes so far, and the time to a farther one
+/// overflows, or the fall of a turn underflows on the way.
+const MAX_TURNING_DISTANCE: f64 = 1e200;
+
 /// The rolling orbit of a hoop on a slope through a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Incline {
@@ -423,8 +427,8 @@ impl Leg {
             // G is monotone, within the swing of its periodic part of a straight line.
             let swing = 4.0 * law.offset * (1.0 + pull * pull).sqrt();
             let per = -2.0 * law.mass * pull;
-            return (pull < 0.0).then(|| {
-                let [low, high] = [((kinetic - swing) / per).max(0.0), (kinetic + swing) / per];
+            let [low, high] = [((kinetic - swing) / per).max(0.0), (kinetic + swing) / per];
+            return (pull < 0.0 && high < MAX_TURNING_DISTANCE).then(|| {
                 let turns = (low / TAU).floor();
                 // Of 2⁵³ turns and more, doubles do not tell the point in the last.
                 let rest = (low - TAU * turns).clamp(0.0, TAU);
@@ -449,6 +453,9 @@ impl Leg {
         }
         // Each minimum is lower than the one before by the fall of a turn.
         let mut turns = (value(0.0, lowest) / -self.fall()).floor() + 1.0;
+        if TAU * turns >= MAX_TURNING_DISTANCE {
+            return None;
+        }
         if value(turns - 1.0, lowest) < 0.0 {
             turns -= 1.0;
         } else if value(turns, lowest) >= 0.0 {
