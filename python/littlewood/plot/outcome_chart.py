@@ -121,12 +121,15 @@ def outcomes(
         rasterized=True,
     )
     counts = np.bincount(values.ravel(), minlength=len(CLASSES) + 1)
+    # In a low picture a key of two lines an entry would be higher than the map.
+    is_low = axes.figure.get_figure(root=True).get_figheight() < _ROOM_FOR_TWO_LINES
+    between = ", " if is_low else "\n"
     handles = [
         patches.Patch(
             facecolor=colour,
             edgecolor=INK,
             linewidth=scaled(FINE),
-            label=f"{label}\n{100 * counts[i] / values.size:.1f} %",
+            label=f"{label}{between}{100 * counts[i] / values.size:.1f} %",
         )
         for i, (label, colour) in enumerate(_entries())
         if counts[i]
@@ -134,7 +137,7 @@ def outcomes(
     beside: dict[str, Any] = {
         "loc": "upper left",
         "bbox_to_anchor": (1.02, 1.0),
-        "labelspacing": 0.9,
+        "labelspacing": 0.3 if is_low else 0.9,
     }
     above: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 2}
     axes.legend(handles=handles, handlelength=1.6, **(beside if is_beside else above))
@@ -144,6 +147,9 @@ def outcomes(
 
 _ROOM_FOR_KEY = 600.0
 """Pixels of a sheet on which a key has room beside a map."""
+
+_ROOM_FOR_TWO_LINES = 2.5
+"""Inches from which on a key beside a map has two lines an entry."""
 
 _TELLING = 60
 """Motions either way from which on a map tells where outcomes are mixed."""
