@@ -448,6 +448,44 @@ fn energy_falls_in_steps_at_impacts() {
     assert!(plain(&figure.caption).contains("Sliding costs 0.1777 m₂gR, the impacts 3.7973 m₂gR"));
 }
 
+/// A stick leads to a jam, which ends no phase: what is lost is what the hoop no longer has.
+#[test]
+fn a_jam_to_which_a_stick_leads_is_lost_energy() {
+    let parameters = HoopParameters::thin(1.356_047_422_593_375_2e-10)
+        .with_inertia(0.0)
+        .with_friction(2.459_977_907_555_684_8e5, 2.459_977_907_555_684_8e5)
+        .with_rolling_resistance(0.148_703_238_957_026_58)
+        .with_slope(5.537_676_958_089_897e-4)
+        .with_restitution(0.0, RestitutionLaw::Poisson);
+    let input = FigureInput {
+        limits: Limits::until(20.0),
+        ..input(parameters, Start::at(-1e-16, 0.425_739_530_581_016_93))
+    };
+    let motion = motion(&input);
+    let [first, .., last] = motion.phases() else {
+        panic!("{:?}", motion.phases())
+    };
+    let energies = [first, last].map(|phase| phase.first().energy);
+    let figure = make("energy", &input).expect("the figure");
+    let drop = series(&figure, "lost in an impact")[0]
+        .pieces
+        .last()
+        .expect("a drop");
+    // Others begin with the same word.
+    let all = series(&figure, "lost");
+    let all = all.into_iter().find(|one| one.name == "lost");
+    let lost = columns(all.expect("all that is lost"), ["energy_lost"]);
+    let lost = lost.last().expect("rows")[0];
+    assert_near(lost, energies[0] - energies[1], 1e-14, "lost in all");
+    let impact = first_impact(&motion);
+    assert_near(
+        drop[0][1] - drop[1][1],
+        impact.energy_lost(),
+        1e-14,
+        "lost in the jam",
+    );
+}
+
 #[test]
 fn impulses_stand_beside_the_forces_and_stay_in_the_cone() {
     let input = figure_3_with(0.5, RestitutionLaw::Energetic);

@@ -216,23 +216,40 @@ pub(crate) fn forces(input: &FigureInput) -> Result<Figure, FigureError> {
     Ok(motion.figure(&sheet, timeline).noted(is_short))
 }
 
+/// What the impacts of some transitions take.
+fn lost_in(transitions: &[Transition]) -> f64 {
+    let impacts = transitions.iter().filter_map(|it| it.impact);
+    impacts.fold(0.0, |lost, impact| lost + impact.energy_lost())
+}
+
 /// Where the energy falls in impacts: from before to after.
 fn drops(motion: &Shown) -> Option<Layer> {
     let step = |time: f64, before: f64, lost: f64| [[time, before], [time, before - lost]];
     let mut pieces: Vec<[[f64; 2]; 2]> = Vec::new();
-    // A jam at the start, which ends no phase.
-    if let (Some(transition), Some(phase)) = (motion.transitions().first(), motion.phases().first())
-        && let (None, Some(impact)) = (transition.from, transition.impact)
-    {
-        let lost = impact.energy_lost();
-        pieces.push(step(transition.time(), phase.first().energy + lost, lost));
+    for index in 0..=motion.phases().len() {
+        let transitions = motion.leading_to(index);
+        let ended = index.checked_sub(1).map(|before| &motion.phases()[before]);
+        let Some(mut energy) = (match ended {
+            Some(phase) => phase.last().map(|sample| sample.energy),
+            None => {
+                let first = motion.phases().first();
+                first.map(|phase| phase.first().energy + lost_in(transitions))
+            }
+        }) else {
+            continue;
+        };
+        for transition in transitions {
+            let Some(impact) = transition
+                .impact
+                .filter(|_| transition.time() <= motion.until)
+            else {
+                continue;
+            };
+            let lost = impact.energy_lost();
+            pieces.push(step(transition.time(), energy, lost));
+            energy -= lost;
+        }
     }
-    pieces.extend(motion.phases().iter().filter_map(|phase| {
-        let transition = motion.end_of(phase)?;
-        let lost = transition.impact?.energy_lost();
-        let is_shown = transition.time() <= motion.until;
-        is_shown.then_some(step(transition.time(), phase.last()?.energy, lost))
-    }));
     (!pieces.is_empty())
         .then(|| Series::new("lost in an impact", &[TIME, ENERGY], pieces).drawn(DROP))
 }
@@ -392,16 +409,10 @@ const ROUNDED: f64 = 0.02;
 
 /// What has been lost since the start in all, by the place of each instant.
 fn lost_in_all(motion: &Shown) -> Vec<[f64; 2]> {
-    let drop = |transition: Option<&Transition>| {
-        transition
-            .and_then(|it| it.impact)
-            .map_or(0.0, |it| it.energy_lost())
-    };
-    let first = motion.transitions().first();
     let [from, until] = motion.times();
     let mut rows = vec![[from, 0.0]];
-    let mut before = drop(first.filter(|transition| transition.from.is_none()));
-    for phase in motion.phases() {
+    let mut before = lost_in(motion.leading_to(0));
+    for (index, phase) in motion.phases().iter().enumerate() {
         let begin = phase.first().energy;
         let mut samples = motion.instants(phase);
         // What a phase has taken lies between nothing and what it takes in all. What is beyond is
@@ -419,7 +430,7 @@ fn lost_in_all(motion: &Shown) -> Vec<[f64; 2]> {
         if phase.end_time() > until {
             break;
         }
-        before += phase.energy_lost() + drop(motion.end_of(phase));
+        before += phase.energy_lost() + lost_in(motion.leading_to(index + 1));
         rows.push([phase.end_time(), before]);
     }
     rows.retain(|row| row[0] <= until && row[1].is_finite());
