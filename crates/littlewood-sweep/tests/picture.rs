@@ -13,7 +13,7 @@ use crate::support::{figure_2, map, workers};
 use littlewood::tables::{Class, Quantity, Setup, SummaryColumn};
 use littlewood::theory::PhasePlane;
 use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start};
-use littlewood_draw::GRID;
+use littlewood_draw::MIXED_OUTCOMES;
 use littlewood_style::{Curve, Theme, of_class};
 use littlewood_sweep::{
     Axis, Chunk, Columns, Grid, Options, Picture, PictureError, PictureSize, Progress, Shade,
@@ -388,7 +388,9 @@ fn what_changes_from_point_to_point_has_one_tint_and_its_part_in_the_key() {
     sweep_grid(&grid, limits, &[], Some(&mut add), &workers, &options).unwrap();
     let tint = |picture: &Picture| {
         let (_, _, pixels) = decode(&picture.png().unwrap());
-        let own = pixels.chunks_exact(3).filter(|pixel| **pixel == GRID.0);
+        let own = pixels
+            .chunks_exact(3)
+            .filter(|pixel| **pixel == MIXED_OUTCOMES.0);
         own.count() as f64 / (pixels.len() / 3) as f64
     };
     let [followed, found] = [tint(&picture), tint(&points)];
