@@ -2,7 +2,7 @@
 
 It prints two lines of CSV for each track, of all kinds in turn, or with `videos` for each film: of
 the fit that estimates rolling resistance, and of the one that holds it at 0.
-docs/studies/measured-data/resistance.csv has those of 44 tracks of each kind, and
+docs/studies/measured-data/resistance.csv has those of 100 tracks of each kind, and
 docs/studies/real-film/resistance.csv those of 12 films.
 
 Every fourth hoop has no resistance. The fits begin at the truth.
