@@ -207,8 +207,8 @@ fn outcomes_of_all_cases_are_what_the_simulation_does() {
             .split_once(" of 500 other starts ")
             .and_then(|(_, after)| after.split(' ').next())
             .and_then(|count| count.parse().ok());
-        // The caption counts errors if more than 1 % of its own 500 starts are wrong. This test tries
-        // 300, so that the share may be twice that by chance.
+        // The caption reports an error rate above 1 %, measured on its own sample of 500 starts. In
+        // this sample of 300 starts a rate of 1 % may appear as 2 %.
         assert!(
             wrong * 50 <= compared || said.is_some(),
             "{wrong} of {compared}: {caption}"

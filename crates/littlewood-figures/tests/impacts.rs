@@ -5,8 +5,10 @@ use crate::support;
 use crate::support::{assert_near, columns, figure, outlines, series, winding};
 use littlewood::cases::{CASES, find_case};
 use littlewood::impact::Impact;
+use littlewood::tables::Setup;
 use littlewood::{Hoop, HoopParameters, Limits, RestitutionLaw, Start, Trajectory};
 use littlewood_figures::{Figure, FigureError, FigureInput, Series, find_figure, plain};
+use littlewood_random::jam_after_a_stick;
 
 /// The landing of Figure 3, computed elsewhere: time, slip, rate of the gap, and A, B, C.
 const LANDING: f64 = 3.847_395_556_686_894;
@@ -451,15 +453,10 @@ fn energy_falls_in_steps_at_impacts() {
 /// A stick leads to a jam, which ends no phase: what is lost is what the hoop no longer has.
 #[test]
 fn a_jam_to_which_a_stick_leads_is_lost_energy() {
-    let parameters = HoopParameters::thin(1.356_047_422_593_375_2e-10)
-        .with_inertia(0.0)
-        .with_friction(2.459_977_907_555_684_8e5, 2.459_977_907_555_684_8e5)
-        .with_rolling_resistance(0.148_703_238_957_026_58)
-        .with_slope(5.537_676_958_089_897e-4)
-        .with_restitution(0.0, RestitutionLaw::Poisson);
+    let Setup { hoop, start } = jam_after_a_stick();
     let input = FigureInput {
         limits: Limits::until(20.0),
-        ..input(parameters, Start::at(-1e-16, 0.425_739_530_581_016_93))
+        ..input(hoop, start)
     };
     let motion = motion(&input);
     let [first, .., last] = motion.phases() else {

@@ -72,8 +72,8 @@ pub(crate) fn draw_course(
     canvas.line(&points, 1.4 * unit, LINE);
 }
 
-/// The hoop, its rim in a colour of its own if it has one, the particle, the mass centre and the
-/// geometric centre.
+/// Draws the rim, in this colour if one is given, the particle, the mass centre and the geometric
+/// centre.
 pub(crate) fn draw_body(
     canvas: &mut Canvas,
     view: &View,

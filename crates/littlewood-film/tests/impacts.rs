@@ -3,10 +3,12 @@
 use crate::filmed;
 use littlewood::cases::find_case;
 use littlewood::energy::{EnergyLedger, EnergyParts};
+use littlewood::tables::Setup;
 use littlewood::{
     Hoop, HoopParameters, Limits, Mode, OutcomeKind, RestitutionLaw, Start, Trajectory,
 };
 use littlewood_film::{Film, FrameSize, Framing, GifFilm, Pace, Schedule, With};
+use littlewood_random::jam_after_a_stick;
 
 const PACE: Pace = Pace {
     fps: 25,
@@ -155,13 +157,7 @@ fn an_impulse_is_an_arrow_at_the_instant_and_to_scale() {
 /// A stick leads to a jam, which ends no phase.
 #[test]
 fn the_impulse_of_a_jam_to_which_a_stick_leads_is_seen() {
-    let hoop = HoopParameters::thin(1.356_047_422_593_375_2e-10)
-        .with_inertia(0.0)
-        .with_friction(2.459_977_907_555_684_8e5, 2.459_977_907_555_684_8e5)
-        .with_rolling_resistance(0.148_703_238_957_026_58)
-        .with_slope(5.537_676_958_089_897e-4)
-        .with_restitution(0.0, RestitutionLaw::Poisson);
-    let start = Start::at(-1e-16, 0.425_739_530_581_016_93);
+    let Setup { hoop, start } = jam_after_a_stick();
     let motion = Hoop::new(hoop)
         .unwrap()
         .simulate(start, Limits::until(20.0))

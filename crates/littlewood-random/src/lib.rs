@@ -43,6 +43,18 @@ const WRONG: [f64; 8] = [
     1.000_000_000_000_000_2e9,
 ];
 
+/// A motion, to τ = 20, whose slip sticks where pressing closes the gap: the jam that follows at the
+/// same instant ends no phase. A random search found it.
+pub fn jam_after_a_stick() -> Setup {
+    let hoop = HoopParameters::thin(1.356_047_422_593_375_2e-10)
+        .with_inertia(0.0)
+        .with_friction(2.459_977_907_555_684_8e5, 2.459_977_907_555_684_8e5)
+        .with_rolling_resistance(0.148_703_238_957_026_58)
+        .with_slope(5.537_676_958_089_897e-4)
+        .with_restitution(0.0, RestitutionLaw::Poisson);
+    Setup::new(hoop, Start::at(-1e-16, 0.425_739_530_581_016_93))
+}
+
 /// Random numbers (SplitMix64).
 #[derive(Clone, Debug)]
 pub struct Draw(u64);

@@ -5,7 +5,9 @@ use crate::common::instants;
 use crate::invariants::{LAW_ROUNDING, size};
 use littlewood::cases::CASES;
 use littlewood::energy::{EnergyLedger, EnergyParts};
+use littlewood::tables::Setup;
 use littlewood::{Cause, Hoop, HoopParameters, Limits, Mode, RestitutionLaw, Start, Trajectory};
+use littlewood_random::jam_after_a_stick;
 use proptest::prelude::*;
 
 fn sum(energies: &EnergyParts) -> f64 {
@@ -97,13 +99,7 @@ fn the_energy_has_the_zero_of_the_paper() {
 /// A slip that sticks where pressing closes the gap: the jam between the two ends no phase.
 #[test]
 fn a_jam_to_which_a_stick_leads_takes_energy() {
-    let hoop = HoopParameters::thin(1.356_047_422_593_375_2e-10)
-        .with_inertia(0.0)
-        .with_friction(2.459_977_907_555_684_8e5, 2.459_977_907_555_684_8e5)
-        .with_rolling_resistance(0.148_703_238_957_026_58)
-        .with_slope(5.537_676_958_089_897e-4)
-        .with_restitution(0.0, RestitutionLaw::Poisson);
-    let start = Start::at(-1e-16, 0.425_739_530_581_016_93);
+    let Setup { hoop, start } = jam_after_a_stick();
     let motion = Hoop::new(hoop)
         .unwrap()
         .simulate(start, Limits::until(20.0))

@@ -194,10 +194,10 @@ impl OrbitRange {
         }
     }
 
-    /// Less this part of its ends and of another number at each.
+    /// Each end moved inwards by this part of the sum of its size and another.
     #[must_use]
     pub(super) fn narrowed(self, part: f64, size: f64) -> Self {
-        // The difference of infinities is none.
+        // An infinite end would be narrowed by infinity, to NaN.
         let rounding = |end: f64| part * (end.abs().min(f64::MAX) + size);
         Self {
             min: self.min + rounding(self.min),

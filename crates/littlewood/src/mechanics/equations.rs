@@ -21,7 +21,7 @@ use crate::math::form::Trigonometric;
 use crate::math::number::Number;
 use crate::math::trig::{Angle, above_bottom};
 use crate::mechanics::resisted::ResistedRollingLaw;
-use crate::model::{Body, Heavy, Hoop, RotationDirection, SlipDirection, State};
+use crate::model::{Body, Heavy, Hoop, Margin, RotationDirection, SlipDirection, State, Undecided};
 
 /// Contact forces, in m2 g.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -296,6 +296,26 @@ impl<T: Number> RollingLaw<T> {
             friction: (level + (self.mass_inertia + offset_sin * offset_sin) * self.tilt * gravity)
                 / denominator,
         }
+    }
+}
+
+impl Hoop {
+    /// Why a phase in contact that ends at this angle leaves the motion open: the particle of a
+    /// massless hoop passes the contact point at a distance √D that the last digit of θ may change
+    /// altogether. Then neither the energy D θ′²/2, the only kinetic energy, nor the direction of the
+    /// contact force, from the contact point to the particle, has a digit.
+    pub(crate) fn undecided_place(&self, theta: f64) -> Option<Undecided> {
+        if !matches!(self.body(), Body::Massless(_)) {
+            return None;
+        }
+        let distance = RollingLaw::new(self).denominator(theta).sqrt();
+        // |dD/dθ| = 2 ℓ̂|sin θ| ≤ 2 √D: where √D is less than this, D has no digit.
+        let bound = 2.0 * f64::EPSILON * theta.abs();
+        (distance <= bound).then_some(Undecided::Rounding {
+            margin: Margin::ContactDistance,
+            value: distance,
+            bound,
+        })
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::math::number::Number;
 use crate::model::{
-    Bound, MIN_INERTIA, MIN_MASSLESS_OFFSET, Margin, ParameterError, Quantity, Restitution,
-    RestitutionLaw, Undecided, getters, setters, within,
+    Bound, MIN_INERTIA, MIN_MASSLESS_OFFSET, ParameterError, Quantity, Restitution, RestitutionLaw,
+    getters, setters, within,
 };
 
 /// The unchecked parameters of a hoop. [`Hoop::new`] checks them.
@@ -293,25 +293,6 @@ impl Hoop {
                 tilt,
             },
         }
-    }
-
-    /// Why a motion does not go on from this angle, if it ends a phase in contact of a massless hoop.
-    /// Where the particle passes the contact point, the last digit of the angle may be as large as
-    /// their distance √D. Then neither the energy D θ′²/2, besides which there is no other, nor the
-    /// direction of the contact force, which points at the particle, has a digit.
-    pub(crate) fn undecided_place(&self, theta: f64) -> Option<Undecided> {
-        let Body::Massless(Massless { offset, .. }) = self.body else {
-            return None;
-        };
-        let (inside, half) = (1.0 - offset, libm::cos(0.5 * theta));
-        let distance = (inside * inside + 4.0 * offset * half * half).sqrt();
-        // |dD/dθ| = 2 ℓ̂|sin θ| ≤ 2 √D: where √D is less than this, D has no digit.
-        let bound = 2.0 * f64::EPSILON * theta.abs();
-        (distance <= bound).then_some(Undecided::Rounding {
-            margin: Margin::ContactDistance,
-            value: distance,
-            bound,
-        })
     }
 
     /// √cos α: velocities over it are those in units in which gravity normal to the plane is 1. It

@@ -757,7 +757,7 @@ mod tests {
         }
     }
 
-    /// The signs of a slide are those of its own coefficients, also where two comparisons tell them.
+    /// The sign that two comparisons of u_c give is the one that the coefficients of the slide give.
     #[test]
     fn signs_are_those_of_the_coefficients() {
         let mut told = 0;

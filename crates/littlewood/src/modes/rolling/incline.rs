@@ -34,8 +34,8 @@ const SINGLE_TERMS: u32 = 32;
 /// their inverses overflow. Parts ε of ε of it are normal numbers.
 const MIN_TURNING_DISTANCE: f64 = f64::MIN_POSITIVE / (f64::EPSILON * f64::EPSILON);
 
-/// A turning point that is farther is none: no motion comes so far, and the time to a farther one
-/// overflows, or the fall of a turn underflows on the way.
+/// Turning points farther away are ignored. No motion reaches them: that would take a rate of 1e50 for
+/// the longest time, 1e150. Beyond them the time may overflow, and the fall of a turn underflow.
 const MAX_TURNING_DISTANCE: f64 = 1e200;
 
 /// The rolling orbit of a hoop on a slope through a state.
