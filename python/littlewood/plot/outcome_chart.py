@@ -121,8 +121,8 @@ def outcomes(
         rasterized=True,
     )
     counts = np.bincount(values.ravel(), minlength=len(CLASSES) + 1)
-    # In a low picture a key of two lines an entry would be higher than the map.
-    is_low = axes.figure.get_figure(root=True).get_figheight() < _ROOM_FOR_TWO_LINES
+    # Beside a low map a key with two lines an entry would be higher than the map.
+    is_low = axes.get_window_extent().height < _ROOM_FOR_TWO_LINES * axes.figure.dpi
     between = ", " if is_low else "\n"
     handles = [
         patches.Patch(
@@ -148,8 +148,8 @@ def outcomes(
 _ROOM_FOR_KEY = 600.0
 """Pixels of a sheet on which a key has room beside a map."""
 
-_ROOM_FOR_TWO_LINES = 2.5
-"""Inches from which on a key beside a map has two lines an entry."""
+_ROOM_FOR_TWO_LINES = 2.0
+"""Inches of the height of a map from which on the key beside it has two lines an entry."""
 
 _TELLING = 60
 """Motions either way from which on a map tells where outcomes are mixed."""
